@@ -1,0 +1,11 @@
+# Writes OUTPUT: every file of FILES as a raw string literal, in the order of their names.
+set(text "#include \"solver/material/catalogue_data.hpp\"\n\nnamespace cleave::material {\n\nconst std::vector<CatalogueFile>& catalogue_files() {\n")
+string(APPEND text "    static const std::vector<CatalogueFile> files{\n")
+list(SORT FILES)
+foreach(path IN LISTS FILES)
+  get_filename_component(name ${path} NAME)
+  file(READ ${path} content)
+  string(APPEND text "        {\"${name}\", R\"toml~(${content})toml~\"},\n")
+endforeach()
+string(APPEND text "    };\n    return files;\n}\n\n}  // namespace cleave::material\n")
+file(WRITE ${OUTPUT} "${text}")

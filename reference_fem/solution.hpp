@@ -1,0 +1,68 @@
+#pragma once
+
+#include "reference_fem/problem.hpp"
+
+#include <memory>
+
+namespace cleave::fem {
+
+/// What one solve cost and how well it did.
+struct SolveRecord {
+    long cells = 0;
+    long dofs = 0;                ///< nodal components, prescribed ones included
+    std::string solver;           ///< "cholmod" or "cg+two_level"
+    int iterations = 0;           ///< 0 for the direct solver
+    double relative_residual = 0; ///< |A x - b| / |b| over the free components, after the solve
+    double seconds = 0;           ///< reading, assembly and solve; a timing, hence not reproducible
+    double matrix_bytes = 0;      ///< matrix and factor
+};
+
+/// The fields at one place.
+struct FieldSample {
+    Point position{};      ///< m
+    double weight = 0;     ///< quadrature weight, m^3; 0 for point samples
+    int region = 0;        ///< tag of the physical volume
+    Point displacement{};  ///< m
+    Voigt strain{};        ///< engineering shear
+    Voigt stress{};        ///< Pa
+};
+
+/// The solution of one Problem: a handle, cheap to copy and safe to read from several threads.
+class Solution {
+public:
+    struct Data;
+    explicit Solution(std::shared_ptr<const Data> data);
+
+    const SolveRecord& record() const;
+
+    /// The fields at the quadrature points of all cells, cells in the order of the file. `order` 1 to 4 gives 1, 6, 14 or 35 points a cell,
+    /// exact for polynomials of degree 1, 3, 5, 7. The weights sum to the volume of the mesh.
+    std::vector<FieldSample> quadrature_samples(int order = 3) const;
+
+    /// The fields at a point, from the shape functions of the cell that holds it: displacement to O(h^3), stress to O(h^2) and
+    /// discontinuous between cells (degree 2). On a face shared by cells the one of lowest index counts.
+    /// A point outside the mesh is evaluated in the nearest cell if it is within Options::outside_tolerance of that cell's diameter
+    /// (the mesh has flat faces, so a point on a curved boundary may lie outside); beyond that: Error.
+    FieldSample at(const Point& point) const;
+    std::vector<FieldSample> at(const std::vector<Point>& points) const;
+
+    /// As `at`, but strain and stress are recovered: at each vertex of the cell a quadratic is fitted by least squares to the strain at the
+    /// quadrature points of the cells around the vertex (superconvergent patch recovery, Zienkiewicz and Zhu 1992, Int. J. Numer. Meth.
+    /// Eng. 33, 1331), and the four quadratics are blended with the barycentric coordinates of the point: continuous within a region
+    /// and more accurate than `at`, above all on the boundary. Patches never cross into another region.
+    std::vector<FieldSample> recovered_at(const std::vector<Point>& points) const;
+
+    std::vector<Point> vertices() const;              ///< m; vertices of tets, in the order of the file
+    std::vector<Point> vertex_displacements() const;  ///< m; one per vertex
+
+    /// Strain energy, J: integral of stress : strain / 2.
+    double energy() const;
+    /// Work, J, of tractions, pressures and body force and of the reactions at prescribed displacements, taken at the final load:
+    /// twice the energy for a solution in balance.
+    double external_work() const;
+
+private:
+    std::shared_ptr<const Data> data_;
+};
+
+}  // namespace cleave::fem

@@ -10,7 +10,8 @@ namespace cleave::elasticity {
 /// What an operator had to do about poor neighbourhoods: for reports.
 struct OperatorReport {
     int particles = 0;
-    int raised_supports = 0;  ///< particles whose support was enlarged (particles::SupportRule)
+    int raised_supports = 0;  ///< particles whose support was enlarged and then satisfied particles::SupportRule
+    int poor_supports = 0;    ///< particles that no size satisfied
     int fallbacks = 0;        ///< particles where a lower operator stands in, see make_strain_operator
 };
 

@@ -1,5 +1,6 @@
 # Writes OUTPUT: every file of FILES as a raw string literal, in the order of their names.
-set(text "#include \"solver/material/catalogue_data.hpp\"\n\nnamespace cleave::material {\n\nconst std::vector<CatalogueFile>& catalogue_files() {\n")
+set(text "#include \"solver/material/catalogue_data.hpp\"\n\nnamespace cleave::material {\n\n")
+string(APPEND text "const std::vector<CatalogueFile>& catalogue_files() {\n")
 string(APPEND text "    static const std::vector<CatalogueFile> files{\n")
 list(SORT FILES)
 foreach(path IN LISTS FILES)

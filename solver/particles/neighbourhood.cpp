@@ -4,29 +4,58 @@
 
 #include <Eigen/SVD>
 
+#include <cmath>
+#include <compare>
+
 namespace cleave::particles {
 
 namespace {
 
-bool is_poor(const Particles& particles, int i, std::span<const int> neighbours, const SupportRule& rule) {
-    if (static_cast<int>(neighbours.size()) < rule.least_neighbours) return true;
+/// How good a neighbourhood is: first by having enough neighbours, then by its smallest moment.
+struct Quality {
+    bool enough = false;
+    double moment = 0;
+
+    bool satisfies(const SupportRule& rule) const { return enough && moment >= rule.least_moment; }
+    friend auto operator<=>(const Quality&, const Quality&) = default;
+};
+
+Quality quality(const Particles& particles, int i, std::span<const int> neighbours, const SupportRule& rule) {
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moment_matrix(particles, i, neighbours));
-    return svd.singularValues()(2) < rule.least_moment;
+    return {static_cast<int>(neighbours.size()) >= rule.least_neighbours, svd.singularValues()(2)};
 }
 
-void enlarge(Particles& particles, int i, double factor) {
+void scale_support(Particles& particles, int i, double factor) {
     particles.support_radius[i] *= factor;
     particles.tensor[i] /= factor;
 }
 
-/// Enlarges the support of particle i until its neighbourhood is good or the rounds are used up; true where it is good.
+std::vector<int> others_in_support(const Particles& particles, const CellGrid& grid, int i) {
+    std::vector<int> neighbours = neighbours_of_point(particles, grid, particles.position[i], particles.tensor[i]);
+    std::erase(neighbours, i);
+    return neighbours;
+}
+
+/// Enlarges the support of particle i to the first size that satisfies the rule, else to the best size tried: beyond the body
+/// moments shrink again. True where the rule is satisfied.
 bool raise(Particles& particles, const CellGrid& grid, int i, std::vector<int>& neighbours, const SupportRule& rule) {
-    for (int round = 0; round < rule.rounds; ++round) {
-        enlarge(particles, i, rule.growth);
-        neighbours = neighbours_of_point(particles, grid, particles.position[i], particles.tensor[i]);
-        std::erase(neighbours, i);
-        if (!is_poor(particles, i, neighbours, rule)) return true;
+    const double radius = particles.support_radius[i];
+    const Eigen::Matrix3d tensor = particles.tensor[i];
+    const auto try_size = [&](int round) {
+        particles.support_radius[i] = radius;
+        particles.tensor[i] = tensor;
+        scale_support(particles, i, std::pow(rule.growth, round));
+        neighbours = others_in_support(particles, grid, i);
+        return quality(particles, i, neighbours, rule);
+    };
+    Quality best;
+    int best_round = 0;
+    for (int round = 0; round <= rule.rounds; ++round) {
+        const Quality found = try_size(round);
+        if (found.satisfies(rule)) return true;
+        if (found > best) best = found, best_round = round;
     }
+    try_size(best_round);
     return false;
 }
 
@@ -46,11 +75,10 @@ Neighbourhood build_neighbourhood(Particles& particles, const SupportRule& rule)
     Neighbourhood result;
     result.lists.offset.push_back(0);
     for (int i = 0; i < particles.size(); ++i) {
-        std::vector<int> neighbours = neighbours_of_point(particles, grid, particles.position[i], particles.tensor[i]);
-        std::erase(neighbours, i);
-        if (is_poor(particles, i, neighbours, rule)) {
-            ++result.report.raised;
-            if (!raise(particles, grid, i, neighbours, rule)) ++result.report.still_poor;
+        std::vector<int> neighbours = others_in_support(particles, grid, i);
+        if (!quality(particles, i, neighbours, rule).satisfies(rule)) {
+            const bool mended = raise(particles, grid, i, neighbours, rule);
+            ++(mended ? result.report.raised : result.report.still_poor);
         }
         result.lists.index.insert(result.lists.index.end(), neighbours.begin(), neighbours.end());
         result.lists.offset.push_back(result.lists.index.size());

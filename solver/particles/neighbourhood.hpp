@@ -9,12 +9,13 @@ struct SupportRule {
     int least_neighbours = 12;
     double least_moment = 0.05;  ///< smallest singular value of the moment matrix K; a full neighbourhood has K close to one
     double growth = 1.15;        ///< of h per round
-    int rounds = 16;             ///< at most: h grows to 9.4 times its value
+    int rounds = 16;             ///< sizes tried: h grows to at most 9.4 times its value
 };
 
 struct SupportReport {
-    int raised = 0;      ///< particles whose support was enlarged
-    int still_poor = 0;  ///< of these, those that stayed poor: fewer particles than the rule asks for, or all in a plane
+    int raised = 0;      ///< particles whose support was enlarged, which satisfies the rule
+    int still_poor = 0;  ///< particles that no size satisfies, and that took the best tried: a long kernel pointing out of a corner,
+                         ///< fewer particles than the rule asks for, all of them in a plane
 };
 
 struct Neighbourhood {

@@ -41,7 +41,8 @@ TEST(ReadMaterial, FormsAgree) {
                                R"(G13 = "7.17 GPa", G12 = "7.17 GPa", nu12 = 0.28, nu13 = 0.28, nu23 = 0.47 })");
     EXPECT_EQ(nine.symmetry, "orthotropic");
     EXPECT_TRUE(near(nine.stiffness, 1e-12));
-    const Material shear = read(R"(engineering = { E1 = "181 GPa", E2 = "10.3 GPa", G12 = "7.17 GPa", nu12 = 0.28, G23 = "3503.4013605442 MPa" })");
+    const Material shear = read(R"(engineering = { E1 = "181 GPa", E2 = "10.3 GPa", G12 = "7.17 GPa", nu12 = 0.28, )"
+                                R"(G23 = "3503.4013605442 MPa" })");
     EXPECT_TRUE(near(shear.stiffness, 1e-12));
 }
 
@@ -82,19 +83,22 @@ TEST(ReadMaterial, BadValuesNameTheirKey) {
     EXPECT_EQ(message("engineering = { E = \"70 GPa\", nu = 0.5 }\n"),
               "m.toml:1: engineering.nu: expected a Poisson's ratio above -1 and below 0.5 (not 0.5)");
     EXPECT_EQ(message("engineering = { E = \"-70 GPa\", nu = 0.2 }\n"), "m.toml:1: engineering.E: expected a modulus above zero");
-    EXPECT_EQ(message("engineering = { E = \"70 GPa\", mu = 0.2 }\n"), "m.toml:1: engineering.nu: expected a finite number (the key is missing)");
+    EXPECT_EQ(message("engineering = { E = \"70 GPa\", mu = 0.2 }\n"),
+              "m.toml:1: engineering.nu: expected a finite number (the key is missing)");
     EXPECT_EQ(message("engineering = { E = \"70 GPa\", nu = 0.2, G = \"1 GPa\" }\n"),
               "m.toml:1: engineering.G: expected a known key; did you mean 'E'?");
     EXPECT_TRUE(contains(message("cubic = { C11 = \"1 GPa\", C12 = \"2 GPa\", C44 = \"1 GPa\" }\n"),
                          "m.toml:1: cubic: expected a positive definite stiffness (smallest eigenvalue -1 GPa)"));
     EXPECT_TRUE(contains(message("engineering = { E1 = \"181 GPa\", E2 = \"10 GPa\", G12 = \"7 GPa\", nu12 = 4.3, nu23 = 0.4 }\n"),
                          "engineering.nu12: expected a Poisson's ratio within +-4.254"));
-    EXPECT_TRUE(contains(message("engineering = { E1 = \"181 GPa\", E2 = \"10 GPa\", G12 = \"7 GPa\", nu12 = 0.3, nu23 = 0.4, G23 = \"9 GPa\" }\n"),
+    const std::string moduli = "E1 = \"181 GPa\", E2 = \"10 GPa\", G12 = \"7 GPa\"";
+    EXPECT_TRUE(contains(message("engineering = { " + moduli + ", nu12 = 0.3, nu23 = 0.4, G23 = \"9 GPa\" }\n"),
                          "engineering.nu23: expected -0.4444 = E2 / (2 G23) - 1"));
     EXPECT_TRUE(contains(message("stiffness = { voigt = [[1, 2], [3, 4]], unit = \"GPa\" }\n"), "stiffness.voigt: expected six rows"));
     EXPECT_TRUE(contains(message("stiffness = { voigt = [[1]], unit = \"kg\" }\n"), "stiffness.unit: expected a unit of pressure"));
     EXPECT_TRUE(contains(message(carbon + "strength = \"0 MPa\"\n"), "m.toml:3: strength: expected a value above zero"));
-    EXPECT_TRUE(contains(message(carbon + "rotation = { axis = [0, 0, 0], angle = \"1 deg\" }\n"), "rotation.axis: expected three numbers"));
+    EXPECT_TRUE(contains(message(carbon + "rotation = { axis = [0, 0, 0], angle = \"1 deg\" }\n"),
+                         "rotation.axis: expected three numbers"));
 }
 
 TEST(ReadMaterial, AStiffnessThatIsNoneIsRejected) {

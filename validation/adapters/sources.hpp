@@ -1,0 +1,34 @@
+#pragma once
+
+#include "validation/case.hpp"
+#include "validation/samples.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace cleave::validation {
+
+/// One solve, for the record in timings.json.
+struct SolveNote {
+    std::string solver, method;
+    long cells = 0, dofs = 0;
+    int iterations = 0;
+    double residual = 0, seconds = 0;
+};
+
+/// Finite elements on the case's body: `solver` is fem.p1 or fem.p2. Throws InputError (a region without a material, an
+/// unconstrained body, an inverted tet), naming the case's file.
+std::unique_ptr<FieldSource> run_fem(const Case& of, const geometry::Body& body, double size, const std::string& solver, SolveNote& note);
+
+/// Particles at the centroids of the same mesh; `solver` is sph.paper or sph.corrected. `displacement` gives u at points, m.
+std::unique_ptr<FieldSource> run_particles(const Case& of, const geometry::Body& body, double size, const std::string& solver,
+                                           const std::function<std::vector<Point>(const std::vector<Point>&)>& displacement, SolveNote& note);
+
+/// An analytic field, evaluated where the method under test has its points.
+Samples evaluate(const analytic::Field& field, const std::vector<Point>& points);
+
+/// The material of a region: its own, or the whole body's. Throws InputError.
+const material::Material& material_of(const Case& of, const std::string& region);
+
+}  // namespace cleave::validation

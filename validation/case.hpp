@@ -1,0 +1,116 @@
+#pragma once
+
+#include "solver/input/table_reader.hpp"
+#include "solver/material/material.hpp"
+#include "validation/check.hpp"
+#include "validation/geometry/shape.hpp"
+#include "validation/norms.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cleave::validation {
+
+/// A named analytic solution with its own keys, from `reference = { solution = "...", plane = "strain" }` or the table
+/// [solution.NAME] of the case (keys given in place win).
+struct SolutionCall {
+    std::string name;
+    std::map<std::string, std::string> words;              ///< keys with string values
+    std::map<std::string, std::array<double, 3>> vectors;  ///< keys with quantities, SI
+    std::string where;                                     ///< dotted key, for messages
+};
+
+/// One boundary condition; either a constant vector (or pressure) or an analytic solution's field.
+struct SurfaceLoad {
+    enum class Kind { traction, pressure, displacement };
+    Kind kind = Kind::traction;
+    std::vector<std::string> on;                    ///< surface names; "all" stands for every one
+    std::array<bool, 3> components{true, true, true};  ///< displacement only
+    std::array<double, 3> vector{};                 ///< Pa or m
+    double pressure = 0;                            ///< Pa, positive pushes
+    std::optional<SolutionCall> solution;
+};
+
+struct Reference {
+    enum class Kind { none, value, solution, solver };
+    Kind kind = Kind::none;
+    double value = 0;              ///< SI
+    std::string source;            ///< literature or solver name
+    std::optional<SolutionCall> solution;
+};
+
+/// One [[check]] of a case.
+struct Check {
+    Observable observable;
+    std::vector<std::string> solvers;
+    Reference reference;
+    std::map<std::string, Band> bands;  ///< by solver; "" for all
+    std::string basis;
+    std::string region = "";            ///< over.region
+    std::string norm = "rms";           ///< over.norm
+    std::vector<std::array<double, 3>> at;
+    double divide_by = 1;               ///< SI; makes a stress concentration of a stress
+    Dimension unit;                     ///< of value and reference, after divide_by
+    bool must_fail = false;
+    std::string where;                  ///< "check[2]", for messages
+    Band band(const std::string& solver) const;
+};
+
+/// One [[profile]]: curves along a line, for the report.
+struct Profile {
+    std::string title;
+    Observable observable;
+    std::vector<std::string> solvers;
+    std::optional<SolutionCall> reference;
+    std::array<double, 3> from{}, to{};
+    int points = 61;
+    std::string x;         ///< term, like "y/a"
+    std::string y;         ///< axis title
+    double divide_by = 1;
+    double reach = 0;      ///< particles this near to the line are shown, m
+    std::string where;
+};
+
+/// How the strain operators of the particles are fed and tuned.
+struct ParticleSettings {
+    double support_factor = 2.5;                 ///< k in h = k s
+    std::string displacement = "solution";       ///< an analytic solution's name, or "fem.p2"
+    std::optional<SolutionCall> solution;
+};
+
+/// A case file, one sweep combination of it, with every value in SI.
+struct Case {
+    std::string name;    ///< with the swept values in brackets
+    std::string file;    ///< as given, for messages
+    std::string tier;
+    std::string about;
+    std::map<std::string, std::string> parameters;  ///< swept keys
+    std::shared_ptr<const geometry::Shape> shape;
+    std::map<std::string, material::Material> materials;  ///< by region name; "" for the whole body
+    std::vector<SurfaceLoad> loads;
+    std::optional<SolutionCall> body_force_solution;
+    std::array<double, 3> body_force{};
+    std::string ladder_unit_name;                   ///< relative_to, "" where sizes are absolute
+    std::map<std::string, std::vector<double>> ladder;  ///< level -> sizes, m, coarse to fine
+    ParticleSettings particles;
+    std::vector<Check> checks;
+    std::vector<Profile> profiles;
+    std::string text;                               ///< the file with overrides, for fingerprints
+
+    const std::vector<double>& sizes(const std::string& level) const;
+    [[noreturn]] void fail(const std::string& key, const std::string& expected) const;
+};
+
+/// `--set KEY=VALUE` and `--ladder`.
+struct Overrides {
+    std::vector<std::pair<std::string, std::string>> values;
+    std::string ladder;
+};
+
+/// Reads a case file and expands its [sweep]. Throws InputError (file, line, key, what was expected).
+std::vector<Case> read_cases(const std::string& file, const Overrides& overrides);
+
+}  // namespace cleave::validation

@@ -1,0 +1,181 @@
+#include "validation/case_checks.hpp"
+
+#include "validation/solutions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace cleave::validation {
+
+namespace {
+
+using Defaults = std::map<std::string, SolutionCall>;
+
+std::vector<std::string> read_solvers(TableReader& table) {
+    std::vector<std::string> solvers = table.strings("solver");
+    for (const std::string& name : solvers)
+        if (std::find(solver_names().begin(), solver_names().end(), name) == solver_names().end())
+            table.fail("solver", fmt::format("one of {} (not '{}')", fmt::join(solver_names(), ", "), name));
+    if (solvers.empty()) table.fail("solver", "at least one solver");
+    return solvers;
+}
+
+Observable read_observable(TableReader& table) {
+    std::vector<std::string> names;
+    for (const auto& [name, dimension] : quantities()) names.push_back(name);
+    Observable observable{table.choice("quantity", names), ""};
+    if (!table.has("component")) return observable;
+    if (observable.quantity == "energy") table.fail("component", "no component for an energy");
+    const bool vector = observable.quantity == "displacement";
+    observable.component = table.choice("component", vector ? std::vector<std::string>{"x", "y", "z"}
+                                                            : std::vector<std::string>{"xx", "yy", "zz", "yz", "xz", "xy"});
+    return observable;
+}
+
+Dimension dimension_of(const std::string& quantity) {
+    for (const auto& [name, dimension] : quantities())
+        if (name == quantity) return dimension;
+    return {};
+}
+
+Reference read_reference(TableReader& table, const Defaults& defaults, Dimension unit) {
+    auto reference = table.table_if("reference");
+    if (!reference) return {};
+    Reference result;
+    if (reference->has("value") + reference->has("solution") + reference->has("solver") != 1)
+        reference->fail("", "exactly one of value, solution, solver");
+    if (reference->has("value")) {
+        result.kind = Reference::Kind::value;
+        result.value = reference->quantity("value", unit);
+        result.source = reference->string("source");
+    } else if (reference->has("solution")) {
+        result.kind = Reference::Kind::solution;
+        result.solution = read_solution_call(*reference, defaults);
+        result.source = result.solution->name;
+    } else {
+        result.kind = Reference::Kind::solver;
+        result.source = reference->choice("solver", {"fem.p1", "fem.p2"});
+    }
+    return result;
+}
+
+Band read_limits(TableReader& table, Dimension unit) {
+    Band band;
+    const auto positive = [&](const char* key, double value) {
+        if (!(value > 0)) table.fail(key, "a positive number");
+        return value;
+    };
+    if (table.has("relative")) band.relative = positive("relative", table.number("relative"));
+    if (table.has("absolute")) band.absolute = positive("absolute", table.quantity("absolute", unit));
+    if (table.has("order_at_least")) band.order_at_least = positive("order_at_least", table.number("order_at_least"));
+    if (band.empty()) table.fail("", "at least one of relative, absolute, order_at_least");
+    return band;
+}
+
+/// One band for all solvers, or a table of them by solver; the solvers' names have dots and so stand in quotes.
+std::map<std::string, Band> read_bands(TableReader& table, const std::vector<std::string>& solvers, Dimension unit) {
+    std::map<std::string, Band> bands;
+    auto band = table.table_if("band");
+    if (!band) return bands;
+    bool by_solver = false;
+    for (const std::string& solver : solver_names())
+        if (band->has(solver)) {
+            by_solver = true;
+            if (std::find(solvers.begin(), solvers.end(), solver) == solvers.end()) band->fail(solver, "a solver of this check");
+            TableReader own = band->table(solver);
+            bands[solver] = read_limits(own, unit);
+        }
+    if (!by_solver) bands[""] = read_limits(*band, unit);
+    return bands;
+}
+
+void read_place(TableReader& table, const Case& of, Check& check) {
+    if (table.has("over") && table.has("at")) table.fail("over", "either 'over' or 'at'");
+    if (auto over = table.table_if("over")) {
+        check.region = over->string_or("region", "");
+        check.norm = over->choice_or("norm", {"rms", "max", "p95"}, "rms");
+        try {
+            (void)Region(check.region, of.shape->coordinates());
+        } catch (const std::invalid_argument& error) {
+            over->fail("region", error.what());
+        }
+    }
+    if (table.has("at")) check.at = table.vectors("at", dimension::length);
+}
+
+void require_consistency(const TableReader& table, const Check& check) {
+    if (!check.bands.empty() && check.reference.kind == Reference::Kind::none) table.fail("reference", "a reference for the band (the key is missing)");
+    if (!check.bands.empty() && check.basis.empty()) table.fail("basis", "why the band is that wide (the key is missing)");
+    if (check.must_fail && check.bands.empty()) table.fail("band", "a band for a must-fail twin (the key is missing)");
+    const bool energy = check.observable.quantity == "energy";
+    if (energy && !check.at.empty()) table.fail("at", "no place for an energy of the whole body");
+    if (check.reference.kind == Reference::Kind::value && !energy && (check.at.empty() || check.observable.component.empty()))
+        table.fail("reference", "'at' and 'component' beside a reference value");
+    if (energy && check.reference.kind == Reference::Kind::solution) table.fail("reference", "a value or a solver for an energy");
+    for (const auto& [solver, band] : check.bands)
+        if (band.absolute && check.observable.component.empty() && !energy) table.fail("band", "'component' beside an absolute band");
+}
+
+}  // namespace
+
+const std::vector<std::string>& solver_names() {
+    static const std::vector<std::string> names{"fem.p1", "fem.p2", "sph.paper", "sph.corrected"};
+    return names;
+}
+
+const std::vector<std::pair<std::string, Dimension>>& quantities() {
+    static const std::vector<std::pair<std::string, Dimension>> list{
+        {"displacement", dimension::length}, {"strain", dimension::none}, {"stress", dimension::pressure}, {"energy", dimension::energy}};
+    return list;
+}
+
+Check read_check(TableReader& table, const Defaults& defaults, const Case& of) {
+    Check check;
+    check.where = table.dotted("");
+    check.where.pop_back();
+    check.observable = read_observable(table);
+    check.unit = dimension_of(check.observable.quantity);
+    if (table.has("divide_by")) {
+        check.divide_by = table.quantity("divide_by", check.unit);
+        if (!(check.divide_by > 0)) table.fail("divide_by", "a positive quantity");
+        check.unit = dimension::none;
+    }
+    check.solvers = read_solvers(table);
+    check.reference = read_reference(table, defaults, check.unit);
+    check.bands = read_bands(table, check.solvers, check.unit);
+    check.basis = table.string_or("basis", "");
+    check.must_fail = table.boolean_or("must_fail", false);
+    read_place(table, of, check);
+    require_consistency(table, check);
+    return check;
+}
+
+Profile read_profile(TableReader& table, const Defaults& defaults, const Case& of) {
+    Profile profile;
+    profile.where = table.dotted("");
+    profile.where.pop_back();
+    profile.title = table.string("title");
+    profile.observable = read_observable(table);
+    if (profile.observable.component.empty() || profile.observable.quantity == "energy") table.fail("component", "the component to draw");
+    profile.solvers = read_solvers(table);
+    if (table.has("solution")) profile.reference = read_solution_call(table, defaults);
+    profile.from = table.vector("from", dimension::length);
+    profile.to = table.vector("to", dimension::length);
+    profile.points = static_cast<int>(table.integer_or("points", 61));
+    if (profile.points < 2 || profile.points > 100000) table.fail("points", "an integer from 2 to 100000");
+    profile.x = table.string("x");
+    profile.y = table.string("y");
+    profile.divide_by = table.quantity_or("divide_by", dimension_of(profile.observable.quantity), 1);
+    if (!(profile.divide_by > 0)) table.fail("divide_by", "a positive quantity");
+    profile.reach = table.quantity_or("reach", dimension::length, 0);
+    try {
+        (void)parse_term(profile.x, of.shape->coordinates());
+    } catch (const std::invalid_argument& error) {
+        table.fail("x", error.what());
+    }
+    return profile;
+}
+
+}  // namespace cleave::validation

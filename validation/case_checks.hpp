@@ -1,0 +1,19 @@
+#pragma once
+
+#include "validation/case.hpp"
+
+namespace cleave::validation {
+
+/// Reads one [[check]] of a case. Throws InputError.
+Check read_check(TableReader& table, const std::map<std::string, SolutionCall>& defaults, const Case& of);
+
+/// Reads one [[profile]] of a case. Throws InputError.
+Profile read_profile(TableReader& table, const std::map<std::string, SolutionCall>& defaults, const Case& of);
+
+/// The solvers that checks may name.
+const std::vector<std::string>& solver_names();
+
+/// The quantities that checks may name, each with its SI dimension.
+const std::vector<std::pair<std::string, Dimension>>& quantities();
+
+}  // namespace cleave::validation

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "solver/input/table_reader.hpp"
+#include "validation/expression.hpp"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cleave::geometry {
+
+/// A meshed body: ONE .msh file that both solvers read, and what its tags mean.
+struct Body {
+    std::filesystem::path mesh_file;
+    std::map<std::string, int> surfaces;  ///< name -> physical surface tag
+    std::map<std::string, int> regions;   ///< name -> physical volume tag
+};
+
+/// A parametrised body.
+class Shape {
+public:
+    virtual ~Shape() = default;
+    /// Meshes the body at element size `size` (m) into `folder`, or finds the mesh there from an earlier call.
+    virtual Body mesh(double size, const std::filesystem::path& folder) const = 0;
+    /// Named lengths and coordinates that checks may use, x, y and z among them.
+    virtual validation::Coordinates coordinates() const = 0;
+    /// A length of the shape by its key, for `relative_to` and analytic solutions. Throws std::invalid_argument.
+    virtual double length(const std::string& key) const = 0;
+    /// Names that loads may use in `on`.
+    virtual std::vector<std::string> surface_names() const = 0;
+};
+
+/// What `validate --list` tells about a shape.
+struct ShapeInfo {
+    std::string name, about;
+    std::vector<std::string> keys, surfaces, coordinates;
+};
+const std::vector<ShapeInfo>& shapes();
+
+/// Reads the [geometry] table of a case. Throws InputError (unknown shape: the known ones are listed).
+std::shared_ptr<const Shape> read_shape(TableReader& geometry);
+
+}  // namespace cleave::geometry

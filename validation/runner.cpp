@@ -1,0 +1,213 @@
+#include "validation/runner.hpp"
+
+#include "solver/input/file_io.hpp"
+#include "validation/adapters/level.hpp"
+#include "validation/profile.hpp"
+#include "validation/solutions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <stdexcept>
+
+namespace cleave::validation {
+
+namespace {
+
+std::string reference_source(const Check& check, const Case& of) {
+    switch (check.reference.kind) {
+        case Reference::Kind::solution: return make_field(*check.reference.solution, of).source;
+        case Reference::Kind::none: return "";
+        default: return check.reference.source;
+    }
+}
+
+/// The rows of a check: one per solver and place.
+std::vector<Row> empty_rows(const Check& check, const Case& of) {
+    std::vector<Row> rows;
+    const std::size_t places = std::max<std::size_t>(1, check.at.size());
+    for (const std::string& solver : check.solvers)
+        for (std::size_t place = 0; place < places; ++place) {
+            Row row;
+            row.case_name = of.name;
+            row.tier = of.tier;
+            row.quantity = check.observable.quantity;
+            row.component = check.observable.component;
+            row.unit = unit_name(check.unit);
+            row.solver = solver;
+            row.reference_source = reference_source(check, of);
+            row.band = check.band(solver);
+            row.relative = !row.band.absolute;
+            row.basis = check.basis;
+            row.must_fail = check.must_fail;
+            if (check.observable.quantity == "energy")
+                row.place = "whole body";
+            else if (check.at.empty())
+                row.place = check.norm + (check.region.empty() ? " over the body" : " over " + check.region);
+            else
+                row.place = fmt::format("at ({}, {}, {}) m", check.at[place][0], check.at[place][1], check.at[place][2]);
+            rows.push_back(std::move(row));
+        }
+    return rows;
+}
+
+Samples restrict_to(const Samples& all, const Region& region) {
+    Samples chosen;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!region.contains(all.position[i])) continue;
+        chosen.position.push_back(all.position[i]);
+        chosen.weight.push_back(all.weight[i]);
+        chosen.displacement.push_back(all.displacement[i]);
+        chosen.strain.push_back(all.strain[i]);
+        chosen.stress.push_back(all.stress[i]);
+    }
+    return chosen;
+}
+
+Samples reference_samples(const Check& check, LevelSources& sources, const std::vector<Point>& points) {
+    if (check.reference.kind == Reference::Kind::solution) return evaluate(make_field(*check.reference.solution, sources.of()), points);
+    return sources.get(check.reference.source).inside(points);
+}
+
+Measurement measure_field(const Check& check, const std::string& solver, LevelSources& sources) {
+    const Region region(check.region, sources.of().shape->coordinates());
+    const Samples method = restrict_to(sources.get(solver).everywhere(), region);
+    Measurement measurement;
+    if (check.reference.kind == Reference::Kind::none) {
+        // Compared with itself: only the norm of the field is of interest.
+        measurement.value = compare(check.observable, method, method, check.norm).value / check.divide_by;
+        measurement.relative_error = measurement.absolute_error = std::nan("");
+        return measurement;
+    }
+    const FieldError error = compare(check.observable, method, reference_samples(check, sources, method.position), check.norm);
+    measurement.value = error.value / check.divide_by;
+    measurement.reference = error.reference / check.divide_by;
+    measurement.relative_error = error.error;
+    measurement.absolute_error = error.error * error.reference / check.divide_by;
+    return measurement;
+}
+
+void set_errors(Measurement& measurement) {
+    if (!measurement.reference) {
+        measurement.relative_error = measurement.absolute_error = std::nan("");
+        return;
+    }
+    measurement.absolute_error = std::abs(*measurement.value - *measurement.reference);
+    measurement.relative_error = measurement.absolute_error / std::abs(*measurement.reference);
+}
+
+double magnitude(const std::vector<double>& components) {
+    if (components.size() == 1) return components[0];
+    double square = 0;
+    for (const double c : components) square += c * c;
+    return std::sqrt(square);
+}
+
+Measurement measure_point(const Check& check, const std::string& solver, const Point& point, LevelSources& sources) {
+    Measurement measurement;
+    const auto value_of = [&](const Samples& samples) { return magnitude(observe(check.observable, samples, 0)) / check.divide_by; };
+    const Samples method = sources.get(solver).at({point});
+    measurement.value = value_of(method);
+    if (check.reference.kind == Reference::Kind::value) measurement.reference = check.reference.value;
+    if (check.reference.kind == Reference::Kind::solver) measurement.reference = value_of(sources.get(check.reference.source).at({point}));
+    if (check.reference.kind == Reference::Kind::solution)
+        measurement.reference = value_of(evaluate(make_field(*check.reference.solution, sources.of()), {point}));
+    set_errors(measurement);
+    return measurement;
+}
+
+Measurement measure_energy(const Check& check, const std::string& solver, LevelSources& sources) {
+    Measurement measurement;
+    measurement.value = sources.get(solver).strain_energy() / check.divide_by;
+    if (check.reference.kind == Reference::Kind::value) measurement.reference = check.reference.value;
+    if (check.reference.kind == Reference::Kind::solver)
+        measurement.reference = sources.get(check.reference.source).strain_energy() / check.divide_by;
+    set_errors(measurement);
+    return measurement;
+}
+
+Measurement measure(const Check& check, const std::string& solver, std::size_t place, LevelSources& sources) {
+    try {
+        if (check.observable.quantity == "energy") return measure_energy(check, solver, sources);
+        if (check.at.empty()) return measure_field(check, solver, sources);
+        return measure_point(check, solver, check.at[place], sources);
+    } catch (const std::invalid_argument& error) {
+        sources.of().fail(check.where, error.what());
+    }
+}
+
+/// Adds one size of the ladder to the rows of a check.
+void add_step(const Check& check, std::vector<Row>& rows, LevelSources& sources) {
+    const std::size_t places = std::max<std::size_t>(1, check.at.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Row& row = rows[i];
+        row.measurement = measure(check, row.solver, i % places, sources);
+        row.resolution = sources.get(row.solver).resolution();
+        row.ladder.push_back({row.resolution, row.relative ? row.measurement.relative_error : row.measurement.absolute_error});
+    }
+}
+
+void conclude(Row& row) {
+    std::vector<double> sizes, errors;
+    for (const LadderStep& step : row.ladder) {
+        sizes.push_back(step.resolution.size);
+        errors.push_back(step.error);
+    }
+    if (sizes.size() >= 2)
+        if (const double order = observed_order(sizes, errors); std::isfinite(order)) row.measurement.order = order;
+    row.verdict = judge(row.measurement, row.band, row.must_fail);
+}
+
+Verdict overall(const std::vector<Row>& rows) {
+    Verdict verdict = Verdict::info;
+    for (const Row& row : rows) {
+        if (row.verdict == Verdict::fail) return Verdict::fail;
+        if (row.verdict == Verdict::pass) verdict = Verdict::pass;
+    }
+    return verdict;
+}
+
+/// A folder name out of a case's name.
+std::string slug(std::string text) {
+    for (char& c : text)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-' && c != '.' && c != '=') c = '_';
+    return text;
+}
+
+void attach(std::vector<Row>& rows, const Profile& profile, const Artifact& artifact) {
+    for (Row& row : rows)
+        if (row.quantity == profile.observable.quantity && !row.must_fail) return row.artifacts.push_back(artifact);
+    if (!rows.empty()) rows.front().artifacts.push_back(artifact);
+}
+
+}  // namespace
+
+CaseRun run_case(const Case& of, const RunOptions& options) {
+    CaseRun run;
+    run.result = {of.name, of.tier, of.about, "", of.parameters, {}, Verdict::info};
+    std::vector<std::vector<Row>> rows;
+    for (const Check& check : of.checks) rows.push_back(empty_rows(check, of));
+    const std::vector<double>& sizes = of.sizes(options.level);
+    std::vector<std::pair<const Profile*, Artifact>> drawn;
+    for (const double size : sizes) {
+        LevelSources sources(of, size, options.out / "meshes");
+        for (std::size_t c = 0; c < of.checks.size(); ++c) add_step(of.checks[c], rows[c], sources);
+        if (size == sizes.back())
+            for (std::size_t p = 0; p < of.profiles.size(); ++p)
+                drawn.emplace_back(&of.profiles[p], write_profile(of.profiles[p], fmt::format("{}/profile_{}.csv", slug(of.name), p + 1), options.out, sources));
+        run.solves.insert(run.solves.end(), sources.notes().begin(), sources.notes().end());
+        if (options.progress) options.progress(fmt::format("{} size {:.4g} m", of.name, size));
+    }
+    for (std::vector<Row>& of_check : rows)
+        for (Row& row : of_check) {
+            conclude(row);
+            run.result.rows.push_back(std::move(row));
+        }
+    for (const auto& [profile, artifact] : drawn) attach(run.result.rows, *profile, artifact);
+    run.result.verdict = overall(run.result.rows);
+    return run;
+}
+
+}  // namespace cleave::validation

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "validation/analytic/field.hpp"
+#include "validation/expression.hpp"
+
+#include <string>
+#include <vector>
+
+namespace cleave::validation {
+
+using analytic::Voigt;
+
+/// A field known at points. Arrays have one entry per point; `weight` is the volume a point stands for (m^3).
+struct Samples {
+    std::vector<Point> position;
+    std::vector<double> weight;
+    std::vector<Point> displacement;  ///< m
+    std::vector<Voigt> strain;        ///< engineering shear
+    std::vector<Voigt> stress;        ///< Pa
+    std::size_t size() const { return position.size(); }
+};
+
+/// How fine a result is. Counts that do not apply are zero.
+struct Resolution {
+    double size = 0;     ///< element size, m
+    long particles = 0;  ///< also the number of tetrahedra
+    long dofs = 0;
+};
+
+/// A solver's answer on one mesh.
+class FieldSource {
+public:
+    virtual ~FieldSource() = default;
+    /// The method's own points: quadrature points of the FEM, particles of the SPH.
+    virtual const Samples& everywhere() const = 0;
+    /// Values at given points, the most accurate the method offers. Throws InputError where the method has none.
+    virtual Samples at(const std::vector<Point>& points) const = 0;
+    /// Plain (not recovered) values at points inside the body, for comparisons point by point.
+    virtual Samples inside(const std::vector<Point>& points) const { return at(points); }
+    virtual double strain_energy() const = 0;  ///< J
+    virtual Resolution resolution() const = 0;
+};
+
+}  // namespace cleave::validation

@@ -1,0 +1,108 @@
+#include "validation/solutions.hpp"
+
+#include "validation/analytic/lekhnitskii_hole.hpp"
+#include "validation/analytic/linear_displacement.hpp"
+#include "validation/analytic/manufactured_trigonometric.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace cleave::validation {
+
+namespace {
+
+const SolutionInfo& info(const std::string& name, const TableReader& reader, const std::string& key) {
+    std::string known;
+    for (const SolutionInfo& solution : solutions()) {
+        if (solution.name == name) return solution;
+        known += (known.empty() ? "" : ", ") + solution.name;
+    }
+    reader.fail(key, fmt::format("one of {} (not '{}')", known, name));
+}
+
+void read_keys(const SolutionInfo& solution, TableReader& table, SolutionCall& call) {
+    for (const SolutionInfo::Key& key : solution.keys) {
+        if (!table.has(key.name)) continue;
+        if (key.choices.empty())
+            call.vectors[key.name] = table.vector(key.name, key.dimension);
+        else
+            call.words[key.name] = table.choice(key.name, key.choices);
+    }
+}
+
+std::string word(const SolutionCall& call, const std::string& key, const std::string& fallback) {
+    const auto found = call.words.find(key);
+    return found == call.words.end() ? fallback : found->second;
+}
+
+/// The edge of the shape's bounding box or its "length": the scale of a manufactured wave.
+double body_length(const Case& of) {
+    for (const char* key : {"extent", "length", "half_width"})
+        try {
+            return of.shape->length(key);
+        } catch (const std::invalid_argument&) {
+        }
+    return 1;
+}
+
+analytic::Field build(const SolutionCall& call, const Case& of, const analytic::Stiffness& stiffness) {
+    if (call.name == "linear_displacement") return analytic::linear_displacement(stiffness, analytic::generic_gradient());
+    if (call.name == "manufactured_trigonometric") return analytic::manufactured_trigonometric(stiffness, body_length(of));
+    const auto remote = call.vectors.find("remote");
+    if (remote == call.vectors.end()) throw std::invalid_argument("the key 'remote' (xx, yy, xy) in [solution.lekhnitskii_hole]");
+    const auto state = word(call, "plane", "strain") == "strain" ? analytic::PlaneState::strain : analytic::PlaneState::stress;
+    const auto& [xx, yy, xy] = remote->second;
+    return analytic::lekhnitskii_hole(stiffness, of.shape->length("hole_radius"), {xx, yy, xy}, state);
+}
+
+}  // namespace
+
+const std::vector<SolutionInfo>& solutions() {
+    static const std::vector<SolutionInfo> list{
+        {"linear_displacement", "u = A x with a generic A: the patch test, any material and shape", {}},
+        {"manufactured_trigonometric", "plane waves with the body force that balances them, any material", {}},
+        {"lekhnitskii_hole",
+         "circular hole in an infinite plate, z = 0 a plane of elastic symmetry (Lekhnitskii 1968)",
+         {{"plane", {"strain", "stress"}, {}}, {"remote", {}, dimension::pressure}}}};
+    return list;
+}
+
+SolutionCall read_solution_call(TableReader& table, const std::map<std::string, SolutionCall>& defaults) {
+    const std::string name = table.string("solution");
+    const SolutionInfo& solution = info(name, table, "solution");
+    const auto found = defaults.find(name);
+    SolutionCall call = found == defaults.end() ? SolutionCall{} : found->second;
+    call.name = name;
+    call.where = table.dotted("solution");
+    read_keys(solution, table, call);
+    return call;
+}
+
+SolutionCall read_solution_defaults(const std::string& name, TableReader& table, const TableReader& parent) {
+    SolutionCall call;
+    call.name = name;
+    call.where = parent.dotted(name);
+    read_keys(info(name, parent, name), table, call);
+    return call;
+}
+
+analytic::Field make_field(const SolutionCall& call, const Case& of) {
+    const auto whole = of.materials.find("");
+    if (whole == of.materials.end()) of.fail(call.where, "a body of one material for this solution");
+    try {
+        return build(call, of, plain_stiffness(whole->second.stiffness));
+    } catch (const std::invalid_argument& error) {
+        of.fail(call.where, error.what());
+    }
+}
+
+analytic::Stiffness plain_stiffness(const material::Stiffness& stiffness) {
+    analytic::Stiffness plain{};
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < 6; ++j) plain[i][j] = stiffness(static_cast<int>(i), static_cast<int>(j));
+    return plain;
+}
+
+}  // namespace cleave::validation

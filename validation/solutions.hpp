@@ -1,0 +1,34 @@
+#pragma once
+
+#include "validation/analytic/field.hpp"
+#include "validation/case.hpp"
+
+#include <string>
+#include <vector>
+
+namespace cleave::validation {
+
+/// What `validate --list` tells about an analytic solution, and the keys it reads.
+struct SolutionInfo {
+    struct Key {
+        std::string name;
+        std::vector<std::string> choices;  ///< a word out of these; empty: a vector of three quantities
+        Dimension dimension;
+    };
+    std::string name, about;
+    std::vector<Key> keys;
+};
+const std::vector<SolutionInfo>& solutions();
+
+/// Reads `solution = NAME` and its keys from a table; keys that are absent come from `defaults`. Throws InputError.
+SolutionCall read_solution_call(TableReader& table, const std::map<std::string, SolutionCall>& defaults);
+/// Reads a [solution.NAME] table.
+SolutionCall read_solution_defaults(const std::string& name, TableReader& table, const TableReader& parent);
+
+/// Makes the field for a case's material and shape. Throws InputError (a material or shape the solution is not for).
+analytic::Field make_field(const SolutionCall& call, const Case& of);
+
+/// The stiffness as plain data for validation/analytic and reference_fem.
+analytic::Stiffness plain_stiffness(const material::Stiffness& stiffness);
+
+}  // namespace cleave::validation

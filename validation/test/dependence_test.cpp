@@ -1,0 +1,107 @@
+// The direction of dependence between the folders, read off the include lines of the sources.
+
+#include "solver/input/file_io.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace cleave {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = CLEAVE_SOURCE_FOLDER;
+
+struct Include {
+    std::string file, target;
+};
+
+std::vector<Include> includes_in(const std::string& text, const std::string& file) {
+    static const std::regex pattern(R"(^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"])", std::regex::multiline);
+    std::vector<Include> found;
+    for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) found.push_back({file, (*it)[1]});
+    return found;
+}
+
+std::vector<Include> includes_below(const std::string& folder) {
+    std::vector<Include> all;
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+        const std::string extension = entry.path().extension();
+        if (extension != ".cpp" && extension != ".hpp") continue;
+        for (Include& one : includes_in(read_file(entry.path()), fs::relative(entry.path(), root).string())) all.push_back(std::move(one));
+    }
+    return all;
+}
+
+bool starts_with_any(const std::string& text, const std::vector<std::string>& heads) {
+    for (const std::string& head : heads)
+        if (text.rfind(head, 0) == 0) return true;
+    return false;
+}
+
+std::string violations(const std::vector<Include>& includes, const std::vector<std::string>& forbidden) {
+    std::string text;
+    for (const Include& one : includes)
+        if (starts_with_any(one.target, forbidden)) text += one.file + " includes " + one.target + "\n";
+    return text;
+}
+
+TEST(Dependence, TheSolverKnowsNeitherTheFemNorTheHarness) {
+    EXPECT_EQ(violations(includes_below("solver"), {"reference_fem/", "validation/", "benchmarks/", "reports/", "deal.II/"}), "");
+}
+
+TEST(Dependence, TheFemSharesNoCodeWithTheSolver) {
+    EXPECT_EQ(violations(includes_below("reference_fem"), {"solver/", "validation/", "benchmarks/", "reports/"}), "");
+}
+
+TEST(Dependence, AnalyticSolutionsStandAlone) {
+    EXPECT_EQ(violations(includes_below("validation/analytic"), {"solver/", "reference_fem/", "validation/adapters", "deal.II/", "Eigen/"}), "");
+}
+
+TEST(Dependence, DealIIStaysInsideTheReference) {
+    for (const char* folder : {"validation", "benchmarks", "reports"}) EXPECT_EQ(violations(includes_below(folder), {"deal.II/"}), "");
+    for (const auto& entry : fs::directory_iterator(root / "reference_fem")) {  // nor through its public headers
+        const std::string name = entry.path().filename();
+        if (name == "elasticity.hpp" || name == "problem.hpp" || name == "solution.hpp")
+            EXPECT_EQ(violations(includes_in(read_file(entry.path()), name), {"deal.II/", "Eigen/"}), "");
+    }
+}
+
+TEST(Dependence, ReportsReadFilesOnly) {
+    EXPECT_EQ(violations(includes_below("reports"), {"validation/", "reference_fem/", "benchmarks/", "solver/material", "solver/mesh",
+                                                     "solver/particles", "solver/elasticity", "solver/subdivision"}), "");
+}
+
+TEST(Dependence, SolverFoldersUseOnlyThoseBeforeThem) {
+    const std::vector<std::string> order{"input", "material", "mesh", "particles", "elasticity", "contact", "fracture", "subdivision",
+                                         "fragments", "rigid", "simulation"};
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (!fs::exists(root / "solver" / order[i])) continue;
+        std::vector<std::string> later;
+        for (std::size_t j = i + 1; j < order.size(); ++j) later.push_back("solver/" + order[j] + "/");
+        EXPECT_EQ(violations(includes_below("solver/" + order[i]), later), "");
+    }
+}
+
+TEST(Dependence, AnIncludeAgainstTheDirectionIsSeen) {
+    const std::string text = "#pragma once\n  #  include \"validation/case.hpp\"\n#include <deal.II/fe/fe.h>\n";
+    EXPECT_EQ(violations(includes_in(text, "a.hpp"), {"validation/", "deal.II/"}), "a.hpp includes validation/case.hpp\na.hpp includes deal.II/fe/fe.h\n");
+}
+
+TEST(Dependence, TheTopLevelHoldsWhatTheLayoutSays) {
+    const std::set<std::string> allowed{"CMakeLists.txt", "solver", "reference_fem", "validation", "benchmarks", "reports", "README.md", "cleave",
+                                        "CMakePresets.json", "LICENSE", "CITATION.cff", "CHANGELOG.md", "build", "out"};
+    for (const auto& entry : fs::directory_iterator(root)) {
+        const std::string name = entry.path().filename();
+        EXPECT_TRUE(name.front() == '.' || allowed.count(name)) << name;
+    }
+}
+
+}  // namespace
+}  // namespace cleave

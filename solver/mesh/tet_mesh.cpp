@@ -7,32 +7,6 @@
 #include <stdexcept>
 
 namespace cleave::mesh {
-namespace {
-
-struct SortedFace {
-    std::array<int, 3> vertices;
-    int half_face;
-    friend bool operator<(const SortedFace& left, const SortedFace& right) {
-        return left.vertices != right.vertices ? left.vertices < right.vertices : left.half_face < right.half_face;
-    }
-};
-
-std::vector<SortedFace> sorted_faces(const TetMesh& mesh) {
-    std::vector<SortedFace> faces;
-    faces.reserve(4 * mesh.tets.size());
-    for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet) {
-        for (int face = 0; face < 4; ++face) {
-            std::array<int, 3> vertices = face_of(mesh.tets[tet], face);
-            std::sort(vertices.begin(), vertices.end());
-            faces.push_back({vertices, static_cast<int>(4 * tet) + face});
-        }
-    }
-    std::sort(faces.begin(), faces.end());
-    return faces;
-}
-
-}  // namespace
-
 double signed_volume(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
     return (b - a).cross(c - a).dot(d - a) / 6.0;
 }
@@ -73,6 +47,20 @@ double smallest_dihedral_angle(const TetMesh& mesh, int tet) {
 std::array<int, 3> face_of(const std::array<int, 4>& tet, int face) {
     const auto& local = face_vertices[static_cast<std::size_t>(face)];
     return {tet[local[0]], tet[local[1]], tet[local[2]]};
+}
+
+std::vector<SortedFace> sorted_faces(const TetMesh& mesh) {
+    std::vector<SortedFace> faces;
+    faces.reserve(4 * mesh.tets.size());
+    for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet) {
+        for (int face = 0; face < 4; ++face) {
+            std::array<int, 3> vertices = face_of(mesh.tets[tet], face);
+            std::sort(vertices.begin(), vertices.end());
+            faces.push_back({vertices, static_cast<int>(4 * tet) + face});
+        }
+    }
+    std::sort(faces.begin(), faces.end());
+    return faces;
 }
 
 HalfFaceLinks link_half_faces(const TetMesh& mesh) {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <compare>
 #include <map>
 #include <string>
 #include <vector>
@@ -46,6 +47,16 @@ double smallest_dihedral_angle(const TetMesh& mesh, int tet);
 
 /// The vertex numbers of a tet's face, in the order of face_vertices.
 std::array<int, 3> face_of(const std::array<int, 4>& tet, int face);
+
+/// A face by its sorted vertices, and the half face 4 * tet + face it belongs to.
+struct SortedFace {
+    std::array<int, 3> vertices;
+    int half_face;
+    friend auto operator<=>(const SortedFace&, const SortedFace&) = default;
+};
+
+/// All 4 faces of all tets, sorted by vertices, then half face: the faces that tets share stand together.
+std::vector<SortedFace> sorted_faces(const TetMesh& mesh);
 
 /// Who lies behind each face: opposite[4 * tet + face] = 4 * other_tet + other_face, -1 where nobody does (the boundary).
 /// Symmetric: opposite[opposite[h]] == h. Faces are numbered by the vertex they lie opposite to.

@@ -1,0 +1,94 @@
+#include "reference_fem/elasticity.hpp"
+
+#include "reference_fem/constraints.hpp"
+#include "reference_fem/solution_data.hpp"
+#include "reference_fem/vector3.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace cleave::fem {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void check_options(const Options& options) {
+    if (options.degree != 1 && options.degree != 2) throw Error(fmt::format("the degree must be 1 or 2, not {}", options.degree));
+    if (!(options.tolerance > 0)) throw Error("the solver's tolerance must be positive");
+    if (!(options.outside_tolerance >= 0 && options.outside_tolerance <= 1)) throw Error("the tolerance for outside points must be 0 to 1");
+}
+
+std::vector<SurfaceLoad> loads_of(const Problem& problem, const FaceTable& faces) {
+    std::vector<SurfaceLoad> loads;
+    for (const Traction& traction : problem.tractions) {
+        if (!traction.value) throw Error(fmt::format("surface {}: a traction without a value", traction.surface));
+        loads.push_back({.faces = faces.surface(traction.surface), .traction = traction.value, .pressure = 0});
+    }
+    for (const Pressure& pressure : problem.pressures)
+        loads.push_back({.faces = faces.surface(pressure.surface), .traction = {}, .pressure = pressure.value});
+    return loads;
+}
+
+SparseSolution solve_system(const SparseSystem& system, const Options& options) {
+    const bool direct = options.solver == Solver::direct || (options.solver == Solver::automatic && system.size() <= options.direct_limit);
+    SparseSolution solution = direct ? solve_direct(system) : solve_iterative(system, options.tolerance, options.iteration_limit);
+    // 1e-6 would already spoil the reference; a sound system stays below 1e-10.
+    if (!(solution.relative_residual < 1e-6)) throw Error(fmt::format("the linear solver left a residual of {:.1e}", solution.relative_residual));
+    return solution;
+}
+
+std::vector<double> gather(const Assembly& assembly, const PrescribedValues& prescribed, const std::vector<double>& values, int dofs) {
+    std::vector<double> displacement(dofs, 0.0);
+    for (const auto& [dof, value] : prescribed) displacement[dof] = value;
+    for (std::size_t row = 0; row < values.size(); ++row) displacement[assembly.free_dofs[row]] = values[row];
+    return displacement;
+}
+
+/// Energy and work by their own quadrature of the solution, apart from the matrix.
+/// Nodal internal forces are int sigma_ij phi,j dV; at a prescribed dof that is load plus reaction, elsewhere the load is taken.
+void add_energies(Solution::Data& data, const Assembly& assembly, const PrescribedValues& prescribed) {
+    const ShapeTable table(data.space, data.options.degree);
+    std::vector<double> internal(data.displacement.size(), 0.0);
+    for (int cell = 0; cell < static_cast<int>(data.mesh.cells.size()); ++cell)
+        for (std::size_t q = 0; q < table.rule.points.size(); ++q) {
+            const auto local = data.evaluate(cell, table.values[q], table.gradients[q], table.rule.points[q]);
+            const FieldSample sample = data.sample(cell, local);
+            const double weight = local.volume_factor * table.rule.weights[q];
+            for (int i = 0; i < 6; ++i) data.energy += 0.5 * weight * sample.stress[i] * sample.strain[i];
+            for (int node = 0; node < data.space.nodes_per_cell(); ++node)
+                for (int i = 0; i < 3; ++i)
+                    for (int j = 0; j < 3; ++j)
+                        internal[data.space.dof(cell, node, i)] += weight * sample.stress[voigt_index(i, j)] * local.shape_gradients[node][j];
+        }
+    for (std::size_t dof = 0; dof < internal.size(); ++dof)
+        data.external_work += (prescribed.contains(static_cast<int>(dof)) ? internal[dof] : assembly.load[dof]) * data.displacement[dof];
+}
+
+}  // namespace
+
+Solution solve(const Problem& problem, const Options& options) {
+    const Clock::time_point start = Clock::now();
+    check_options(options);
+    Mesh mesh = read_msh(problem.mesh_file);
+    check_cells(mesh);
+    const auto data = std::make_shared<Solution::Data>(std::move(mesh), options, problem.regions);
+    const FaceTable faces(data->mesh);
+    const std::vector<SurfaceLoad> loads = loads_of(problem, faces);
+    const PrescribedValues prescribed = prescribe(problem, data->mesh, faces, data->space);
+    const Assembly assembly = assemble(data->space, data->materials, problem.body_force, loads, prescribed);
+    const SparseSolution solution = solve_system(assembly.system, options);
+    data->displacement = gather(assembly, prescribed, solution.values, data->space.dofs());
+    add_energies(*data, assembly, prescribed);
+    data->record = {.cells = static_cast<long>(data->mesh.cells.size()),
+                    .dofs = data->space.dofs(),
+                    .solver = solution.solver,
+                    .iterations = solution.iterations,
+                    .relative_residual = solution.relative_residual,
+                    .seconds = std::chrono::duration<double>(Clock::now() - start).count(),
+                    .matrix_bytes = solution.bytes};
+    return Solution(data);
+}
+
+}  // namespace cleave::fem

@@ -1,0 +1,158 @@
+#include "reference_fem/sparse_solver.hpp"
+
+#include "reference_fem/problem.hpp"
+
+#include <Eigen/CholmodSupport>
+#include <Eigen/SparseCore>
+#include <fmt/format.h>
+
+#include <dlfcn.h>
+
+#include <cmath>
+
+namespace cleave::fem {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
+using RowMatrixView = Eigen::Map<const RowMatrix>;
+using ColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+
+RowMatrixView matrix_of(const SparseSystem& system) {
+    return {system.size(),          system.size(),        static_cast<int>(system.value.size()), system.row_start.data(),
+            system.column.data(), system.value.data()};
+}
+
+Eigen::Map<const Vector> vector_of(const std::vector<double>& values) { return {values.data(), static_cast<Eigen::Index>(values.size())}; }
+
+/// Threads of BLAS change the order of its sums. OpenBLAS is asked by name, if it is what was loaded: other libraries have one thread.
+void hold_blas_to_one_thread() {
+    using SetThreads = void (*)(int);
+    if (const auto set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))) set_threads(1);
+}
+
+/// CHOLMOD's factor L L^T through Eigen's wrapper.
+class Cholesky : public Eigen::CholmodSupernodalLLT<ColumnMatrix, Eigen::Lower> {
+public:
+    explicit Cholesky(const ColumnMatrix& lower) {
+        hold_blas_to_one_thread();
+        cholmod().nmethods = 1;
+        cholmod().method[0].ordering = CHOLMOD_METIS;
+        cholmod().postorder = 1;
+        cholmod().print = 0;
+        compute(lower);
+        if (info() != Eigen::Success || cholmod_rcond(m_cholmodFactor, &cholmod()) < 1e-15)
+            throw Error("the stiffness matrix is singular: the body, or a part of it, can move without strain");
+    }
+
+    double bytes() { return static_cast<double>(m_cholmodFactor->xsize) * sizeof(double); }
+};
+
+/// The upper triangle by rows is, read by columns, the lower one.
+template <class Matrix>
+ColumnMatrix lower_triangle(const Matrix& matrix) {
+    const RowMatrix upper = matrix.template triangularView<Eigen::Upper>();
+    return upper.transpose();
+}
+
+double bytes_of(const SparseSystem& system) { return static_cast<double>(system.value.size()) * (sizeof(double) + sizeof(int)); }
+
+double relative_norm(const Vector& residual, const Vector& reference) {
+    return reference.norm() > 0 ? residual.norm() / reference.norm() : residual.norm();
+}
+
+/// Mean of the vertex rows, one column per vertex row.
+RowMatrix prolongation(const SparseSystem& system) {
+    std::vector<int> coarse(system.parents.size(), -1);
+    int coarse_size = 0;
+    for (int row = 0; row < system.size(); ++row)
+        if (system.parents[row] == std::array{row, row}) coarse[row] = coarse_size++;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int row = 0; row < system.size(); ++row)
+        for (const int parent : system.parents[row])
+            if (parent >= 0) entries.emplace_back(row, coarse[parent], 0.5);  // entries of a vertex row add up to 1
+    RowMatrix matrix(system.size(), coarse_size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
+/// The preconditioner of solve_iterative.
+class TwoLevel {
+public:
+    TwoLevel(const RowMatrixView& matrix, RowMatrix prolongation)
+        : matrix_(matrix), inverse_diagonal_(matrix.rows()), prolongation_(std::move(prolongation)),
+          restriction_(prolongation_.transpose()), coarse_(lower_triangle(RowMatrix(restriction_ * matrix_ * prolongation_))) {
+        for (int row = 0; row < matrix_.rows(); ++row) inverse_diagonal_[row] = 1 / matrix_.coeff(row, row);
+    }
+
+    Vector apply(const Vector& residual) {
+        Vector correction = Vector::Zero(residual.size());
+        for (int row = 0; row < matrix_.rows(); ++row) relax(row, residual, correction);
+        correction += prolongation_ * coarse_.solve(restriction_ * (residual - matrix_ * correction));
+        for (int row = static_cast<int>(matrix_.rows()) - 1; row >= 0; --row) relax(row, residual, correction);
+        return correction;
+    }
+
+    double bytes() { return coarse_.bytes(); }
+
+private:
+    /// One Gauss-Seidel step: solves the row for its own unknown.
+    void relax(int row, const Vector& residual, Vector& correction) const {
+        double rest = residual[row];
+        for (RowMatrixView::InnerIterator entry(matrix_, row); entry; ++entry) rest -= entry.value() * correction[entry.col()];
+        correction[row] += inverse_diagonal_[row] * rest;
+    }
+
+    RowMatrixView matrix_;
+    Vector inverse_diagonal_;
+    RowMatrix prolongation_;
+    RowMatrix restriction_;
+    Cholesky coarse_;
+};
+
+}  // namespace
+
+SparseSolution solve_direct(const SparseSystem& system) {
+    SparseSolution solution{.values = {}, .solver = "cholmod", .bytes = bytes_of(system)};
+    if (system.size() == 0) return solution;
+    const RowMatrixView matrix = matrix_of(system);
+    const Vector right_hand_side = vector_of(system.right_hand_side);
+    Cholesky factor(lower_triangle(matrix));
+    Vector values = factor.solve(right_hand_side);
+    values += factor.solve(right_hand_side - matrix * values);
+    solution.values.assign(values.begin(), values.end());
+    solution.relative_residual = relative_norm(right_hand_side - matrix * values, right_hand_side);
+    solution.bytes += factor.bytes();
+    return solution;
+}
+
+SparseSolution solve_iterative(const SparseSystem& system, double tolerance, int iteration_limit) {
+    SparseSolution solution{.values = {}, .solver = "cg+two_level", .bytes = bytes_of(system)};
+    if (system.size() == 0) return solution;
+    const RowMatrixView matrix = matrix_of(system);
+    const Vector right_hand_side = vector_of(system.right_hand_side);
+    TwoLevel preconditioner(matrix, prolongation(system));
+    Vector values = Vector::Zero(system.size());
+    Vector residual = right_hand_side;
+    Vector direction = Vector::Zero(system.size());
+    double previous = 1;
+    while (residual.norm() > tolerance * right_hand_side.norm()) {
+        if (solution.iterations++ == iteration_limit)
+            throw Error(fmt::format("conjugate gradients: residual {:.1e} after {} iterations", relative_norm(residual, right_hand_side),
+                                    iteration_limit));
+        const Vector preconditioned = preconditioner.apply(residual);
+        const double current = residual.dot(preconditioned);
+        direction = preconditioned + current / previous * direction;
+        const Vector image = matrix * direction;
+        const double step = current / direction.dot(image);
+        values += step * direction;
+        residual -= step * image;
+        previous = current;
+    }
+    solution.values.assign(values.begin(), values.end());
+    solution.relative_residual = relative_norm(right_hand_side - matrix * values, right_hand_side);
+    solution.bytes += preconditioner.bytes();
+    return solution;
+}
+
+}  // namespace cleave::fem

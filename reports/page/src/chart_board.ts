@@ -1,0 +1,116 @@
+// Charts by Apache ECharts, drawn as SVG. The board redraws them when the colour scheme, the width or the medium changes.
+
+import { LineChart, ScatterChart } from "echarts/charts";
+import { GridComponent, LegendComponent, TooltipComponent } from "echarts/components";
+import * as echarts from "echarts/core";
+import { SVGRenderer } from "echarts/renderers";
+import type { EChartsCoreOption, EChartsType } from "echarts/core";
+import { el } from "./dom";
+
+echarts.use([LineChart, ScatterChart, GridComponent, LegendComponent, TooltipComponent, SVGRenderer]);
+
+export interface Colours { ink: string; faint: string; rule: string; paper: string; series: string[] }
+
+export const symbols = ["circle", "triangle", "diamond", "rect"];
+const series_count = 6;
+
+function read_colours(): Colours {
+  const style = getComputedStyle(document.documentElement);
+  const value = (name: string): string => style.getPropertyValue(name).trim();
+  const series = Array.from({ length: series_count }, (_, i) => value(`--series-${i + 1}`));
+  return { ink: value("--ink"), faint: value("--faint"), rule: value("--rule"), paper: value("--paper"), series };
+}
+
+export interface LegendItem { series: string[]; text: string; index: number; dashed?: boolean; line?: boolean }
+
+/// One chart: its legend is HTML (wraps, can be read aloud, switches curves), its option is made for given colours.
+export interface Panel {
+  title: string;
+  description: string;          ///< for readers who do not see the chart
+  legend: LegendItem[];
+  option: (colours: Colours) => EChartsCoreOption;
+  notes: string[];              ///< lines of the caption
+  extra?: HTMLElement;          ///< numbers behind the chart
+}
+
+function swatch(item: LegendItem): SVGSVGElement {
+  const shapes = ['<circle cx="14" cy="6" r="4"/>', '<path d="M14 1.5 18.5 10h-9z"/>', '<path d="M14 1l5 5-5 5-5-5z"/>', '<path d="M10 2h8v8h-8z"/>'];
+  const holder = document.createElement("div");
+  const rule = item.dashed || item.line
+    ? `<path d="M0 6h28" fill="none" stroke="currentColor" stroke-width="2"${item.dashed ? ' stroke-dasharray="5 4"' : ""}/>` : "";
+  const mark = item.dashed || item.index < 0 ? "" : shapes[item.index % shapes.length];
+  const colour = item.index < 0 ? "var(--ink)" : `var(--series-${(item.index % series_count) + 1})`;
+  holder.innerHTML = `<svg width="28" height="12" viewBox="0 0 28 12" aria-hidden="true" fill="currentColor" style="color:${colour}">${rule}${mark}</svg>`;
+  return holder.firstElementChild as SVGSVGElement;
+}
+
+export class ChartBoard {
+  private readonly drawn_: { chart: EChartsType; panel: Panel }[] = [];
+  private readonly waiting_: { canvas: HTMLElement; panel: Panel }[] = [];
+
+  figure(panel: Panel): HTMLElement {
+    const canvas = el("div", { class: "chart", role: "img", "aria-label": panel.description });
+    this.waiting_.push({ canvas, panel });
+    const caption = el("figcaption", {}, el("h3", {}, panel.title));
+    const legend = el("ul", { class: "legend" }, ...panel.legend.map((item) => el("li", {}, this.toggle(item, canvas))));
+    const notes = panel.notes.map((note) => el("p", { class: "note" }, note));
+    return el("figure", { class: "panel" }, caption, canvas, legend, ...notes, panel.extra ?? null);
+  }
+
+  /// Draws what `figure` prepared; the figures must be in the document, so that they have a size.
+  draw(): void {
+    for (const { canvas, panel } of this.waiting_) {
+      const chart = echarts.init(canvas, null, { renderer: "svg" });
+      chart.setOption(panel.option(read_colours()));
+      this.drawn_.push({ chart, panel });
+    }
+    this.waiting_.length = 0;
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.redraw());
+    matchMedia("print").addEventListener("change", () => this.redraw());
+    addEventListener("resize", () => this.drawn_.forEach(({ chart }) => chart.resize()));
+  }
+
+  private redraw(): void {
+    const colours = read_colours();
+    for (const { chart, panel } of this.drawn_) {
+      chart.resize();
+      chart.setOption(panel.option(colours));
+    }
+  }
+
+  private toggle(item: LegendItem, canvas: HTMLElement): HTMLElement {
+    const button = el("button", { type: "button", "aria-pressed": "true" }, swatch(item), el("span", {}, item.text));
+    button.addEventListener("click", () => {
+      const shown = button.getAttribute("aria-pressed") !== "true";
+      button.setAttribute("aria-pressed", String(shown));
+      const chart = echarts.getInstanceByDom(canvas);
+      for (const name of item.series) chart?.dispatchAction({ type: shown ? "legendSelect" : "legendUnSelect", name });
+    });
+    return button;
+  }
+}
+
+export interface AxisSpec { name: string; min: number; max: number; ticks: number[]; label: (value: number) => string }
+
+/// An axis with ticks of our choice, in the page's colours.
+export function axis(spec: AxisSpec, colours: Colours, vertical: boolean): Record<string, unknown> {
+  return {
+    type: "value", min: spec.min, max: spec.max, name: spec.name, nameLocation: vertical ? "end" : "middle",
+    nameGap: vertical ? 14 : 30, nameTextStyle: { color: colours.ink, fontSize: 12, align: vertical ? "left" : "center" },
+    axisLine: { show: true, onZero: false, lineStyle: { color: colours.faint } },
+    axisTick: { show: true, customValues: spec.ticks, lineStyle: { color: colours.faint } },
+    axisLabel: { color: colours.ink, fontSize: 12, customValues: spec.ticks, formatter: spec.label, hideOverlap: true },
+    splitLine: { show: true, customValues: spec.ticks, lineStyle: { color: colours.rule } },
+  };
+}
+
+/// What every chart shares: no animation (a picture of data, and the same DOM each time), tooltip and grid.
+export function base_option(colours: Colours): Record<string, unknown> {
+  return {
+    animation: false,
+    textStyle: { fontFamily: "inherit", color: colours.ink },
+    grid: { left: 8, right: 20, top: 34, bottom: 40, outerBoundsMode: "same", outerBoundsContain: "axisLabel" },
+    legend: { show: false },
+    tooltip: { trigger: "item", confine: true, backgroundColor: colours.paper, borderColor: colours.faint, textStyle: { color: colours.ink, fontSize: 12 } },
+  };
+}

@@ -1,0 +1,47 @@
+import "./page.css";
+
+import { cases_section, provenance_section } from "./cases";
+import { ChartBoard } from "./chart_board";
+import { convergence_section } from "./convergence";
+import { read_report, type Report } from "./data";
+import { el } from "./dom";
+import { headline } from "./headline";
+import { samples_section } from "./samples";
+import { subdivision_section } from "./subdivision";
+import { missed_section, verdict_section } from "./verdict_table";
+
+function unique(values: unknown[]): string {
+  return [...new Set(values.filter((value) => typeof value === "string" && value !== ""))].join(", ");
+}
+
+function origin({ sources }: Report): string {
+  const level = unique(sources.map((source) => source.results.level));
+  const commit = unique(sources.map((source) => source.provenance?.commit));
+  const cpu = unique(sources.map((source) => source.provenance?.cpu));
+  return [level && `Level ${level}`, commit && `commit ${commit.slice(0, 12)}`, cpu].filter(Boolean).join(" · ");
+}
+
+function header(report: Report): HTMLElement {
+  const lead = "Brittle fracture of anisotropic solids by smoothed particles, checked against mathematics and a finite-element reference.";
+  return el("header", {}, el("h1", {}, "Cleave cross-check"), el("p", { class: "lead" }, lead), el("p", { class: "origin" }, origin(report)));
+}
+
+function navigation(sections: HTMLElement[]): HTMLElement {
+  const items = sections.map((part) => el("li", {}, el("a", { href: `#${part.id}` }, part.querySelector("h2")?.textContent ?? part.id)));
+  return el("nav", { "aria-label": "Sections" }, el("ul", {}, ...items));
+}
+
+function build(report: Report): void {
+  const board = new ChartBoard();
+  const missed = missed_section(report);
+  const sections = [...(missed ? [missed] : []), verdict_section(report), convergence_section(report, board), samples_section(report, board),
+    subdivision_section(report), cases_section(report), provenance_section(report)];
+  const footer = el("footer", {}, "Written by cleave-report from the results alone; it judges nothing. "
+    + "Charts: Apache ECharts (Apache-2.0) and ZRender (BSD-3-Clause).");
+  document.getElementById("page")?.append(el("a", { class: "skip", href: "#verdicts" }, "Skip to the verdicts"),
+    header(report), el("main", {}, headline(report), navigation(sections), ...sections), footer);
+  board.draw();
+}
+
+build(read_report());
+document.documentElement.dataset.ready = "true";

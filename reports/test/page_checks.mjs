@@ -1,0 +1,203 @@
+// What a report page must hold. Each check returns lines that say what is wrong; none: fine.
+
+import { mkdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { Tab } from "./chromium.mjs";
+import { describe_png } from "./png.mjs";
+
+const ready = 'document.documentElement.dataset.ready === "true"';
+const rows_of = (results) => results.cases.flatMap((entry) => entry.checks);
+const drawable = (check) => (check.ladder ?? []).filter(({ size, error }) => size > 0 && error > 0).length > 1;
+
+/// The results that the page claims to show, from its own data block.
+const read_embedded = (tab) => tab.evaluate(
+  'JSON.parse(document.getElementById("report-data")?.textContent ?? \'{"sources":[]}\').sources.map((source) => source.results)');
+
+async function errors(tab) {
+  const kept = await tab.evaluate('JSON.parse(document.documentElement.dataset.errors ?? \'["the page does not collect its errors"]\')');
+  return [...new Set([...kept, ...tab.log])].map((text) => `error on the page: ${text}`);
+}
+
+function outside_requests(tab, url) {
+  return tab.requests.filter((asked) => asked !== url && !/^(data|blob|about):/.test(asked)).map((asked) => `asks for ${asked}`);
+}
+
+async function table_rows(tab, checks) {
+  const problems = [];
+  const shown = await tab.evaluate('document.querySelectorAll("#verdict-table tbody tr[data-row]").length');
+  if (shown !== checks.length) problems.push(`verdict table: ${shown} rows for ${checks.length} checks`);
+  const twins = await tab.evaluate('document.querySelectorAll("#verdict-table .twin").length');
+  const expected = checks.filter((check) => check.must_fail).length;
+  if (twins !== expected) problems.push(`verdict table: ${twins} must-fail twins marked of ${expected}`);
+  for (const verdict of ["pass", "fail", "info"]) {
+    const marked = await tab.evaluate(`document.querySelectorAll("#verdict-table .mark.${verdict}").length`);
+    const stated = checks.filter((check) => check.verdict === verdict).length;
+    if (marked !== stated) problems.push(`verdict table: ${marked} rows marked ${verdict}, ${stated} in the results`);
+  }
+  return problems;
+}
+
+/// Every panel holds drawn curves or marks inside its axes, not only axes.
+async function charts(tab) {
+  return tab.evaluate(`[...document.querySelectorAll("figure.panel")].flatMap((figure) => {
+    const title = figure.querySelector("h3")?.textContent;
+    const svg = figure.querySelector(".chart svg");
+    const box = svg?.getBoundingClientRect();
+    if (!svg || box.width < 200 || box.height < 150) return ["chart not drawn: " + title];
+    const wanted = figure.querySelectorAll(".legend li").length;
+    const colours = new Set([...figure.querySelectorAll(".legend svg")].map((key) => getComputedStyle(key).color));
+    const probe = document.createElement("i");
+    document.body.append(probe);
+    const coloured = (path) => [path.getAttribute("stroke"), path.getAttribute("fill")].some((colour) => {
+      if (!colour || colour === "none") return false;
+      probe.style.color = colour;
+      return colours.has(getComputedStyle(probe).color);
+    });
+    const drawn = [...svg.querySelectorAll("path")].filter(coloured).length;
+    probe.remove();
+    return wanted > 0 && drawn >= wanted ? [] : ["chart without curves: " + title + " (" + drawn + " coloured paths for " + wanted + " curves)"];
+  })`);
+}
+
+async function convergence(tab, checks) {
+  const problems = [];
+  const legend = await tab.evaluate('[...document.querySelectorAll("#convergence .legend li")].map((item) => item.textContent)');
+  const labels = await tab.evaluate('[...document.querySelectorAll("#convergence .chart svg text")].map((item) => item.textContent)');
+  const ladders = checks.filter(drawable);
+  const curves = legend.filter((text) => !text.startsWith("asserted slope"));
+  if (curves.length !== ladders.length) problems.push(`convergence: ${curves.length} curves for ${ladders.length} ladders`);
+  const count = (texts, wanted) => texts.filter((text) => text === wanted).length;
+  const asserted = ladders.map((check) => check.band?.order_at_least).filter((order) => typeof order === "number");
+  for (const order of new Set(asserted)) {
+    const times = asserted.filter((other) => other === order).length;
+    const text = Number(order.toPrecision(4));
+    if (count(legend, `asserted slope ${text}`) !== times) problems.push(`convergence: the asserted slope ${text} is missing from a legend`);
+    if (count(labels, `slope ${text}`) !== times) problems.push(`convergence: the asserted slope ${text} is not written in a chart`);
+  }
+  return problems;
+}
+
+/// A section shows something, or one line that says why not.
+const sections = (tab) => tab.evaluate(`[...document.querySelectorAll("main section")].filter((part) =>
+  !part.querySelector("table, figure.panel .chart svg, .missing, dl, li")).map((part) => "empty section: " + part.id)`);
+
+const figures = (tab) => tab.evaluate(`(() => {
+  const empty = [...document.querySelectorAll(".headline dd")].filter((item) => item.textContent.trim() === "").length;
+  const count = document.querySelectorAll(".headline .figure").length;
+  const nonsense = /\\bNaN\\b|undefined|Infinity|\\[object/.exec(document.getElementById("page")?.innerText ?? "");
+  return [...(count === 3 && empty === 0 ? [] : ["headline numbers missing"]), ...(nonsense ? ["prints " + nonsense[0]] : [])];
+})()`);
+
+const fits = async (tab, width) => {
+  const wide = await tab.evaluate("document.scrollingElement.scrollWidth");
+  return wide > width ? [`wider than its window: ${wide} of ${width} px`] : [];
+};
+
+const names = (tab) => tab.evaluate(`[
+  ...[...document.querySelectorAll("th, button, select, input, [role=img], [role=region]")].filter((item) =>
+    !(item.getAttribute("aria-label") || item.closest("label")?.textContent || item.textContent).trim()).map((item) => "no accessible name: " + item.outerHTML.slice(0, 80)),
+  ...[...document.querySelectorAll("a[href^='#']")].filter((link) => !document.getElementById(link.getAttribute("href").slice(1)))
+    .map((link) => "link to nowhere: " + link.getAttribute("href")),
+  ...(document.documentElement.lang && document.querySelector("main h2") && document.querySelector("h1") ? [] : ["no headings or language"]),
+  ...[...document.querySelectorAll("[id]")].filter((item) => document.getElementById(item.id) !== item).map((item) => "id used twice: " + item.id),
+]`);
+
+/// Sort by keyboard, filter, CSV: done on the page, then undone.
+async function interaction(tab, checks) {
+  if (checks.length === 0) return [];
+  const problems = [];
+  const order = () => tab.evaluate('[...document.querySelectorAll("#verdict-table tbody tr")].map((row) => Number(row.dataset.row))');
+  await tab.evaluate('document.querySelector("#verdict-table th.error button").focus()');
+  await tab.press("Enter");
+  const errors_now = (await order()).map((i) => checks[i]?.error).filter((error) => typeof error === "number");
+  if (errors_now.some((error, i) => i > 0 && error < errors_now[i - 1])) problems.push("sort by error: not ascending");
+  const state = await tab.evaluate('document.querySelector("#verdict-table th.error").getAttribute("aria-sort")');
+  if (state !== "ascending") problems.push(`sort by keyboard: aria-sort is ${state}`);
+  await tab.press("Enter");
+  await tab.press("Enter");
+  await tab.evaluate("document.activeElement.blur()");
+  if ((await order()).some((row, i) => row !== i)) problems.push("sort: the third press does not restore the order");
+
+  const csv = await tab.evaluate(`(async () => {
+    let text;
+    const make = URL.createObjectURL;
+    URL.createObjectURL = (blob) => { text = blob.text(); return "#csv"; };
+    const solver = [...document.querySelectorAll(".filters select")].pop();
+    solver.value = solver.options[1].value;
+    solver.dispatchEvent(new Event("change"));
+    const shown = document.querySelectorAll("#verdict-table tbody tr:not([hidden])").length;
+    document.querySelector(".download").click();
+    URL.createObjectURL = make;
+    const value = solver.value;
+    solver.value = "";
+    solver.dispatchEvent(new Event("change"));
+    return { lines: (await text).trim().split("\\n").length - 1, shown, value };
+  })()`);
+  const expected = checks.filter((check) => check.solver === csv.value).length;
+  if (csv.shown !== expected) problems.push(`filter by solver ${csv.value}: ${csv.shown} rows of ${expected}`);
+  if (csv.lines !== expected) problems.push(`CSV: ${csv.lines} lines for ${expected} rows`);
+  return problems;
+}
+
+/// A drawn page has text and curves: many colours (smoothed letters), and a good part of it is not background.
+function blank(png, name) {
+  const { colours, drawn } = describe_png(png);
+  return colours > 30 && drawn > 0.02 ? [] : [`${name}: looks blank (${colours} colours, ${(100 * drawn).toFixed(1)} % drawn)`];
+}
+
+const looks = [
+  { name: "phone", width: 400, media: "screen", scheme: "light" },
+  { name: "wide", width: 1400, media: "screen", scheme: "light" },
+  { name: "wide-dark", width: 1400, media: "screen", scheme: "dark" },
+  { name: "print", width: 1100, media: "print", scheme: "dark" },
+];
+
+async function picture(tab, { name, width, media, scheme }, folder) {
+  await tab.emulate(media, scheme);
+  await tab.resize(width);
+  await tab.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
+  const problems = [...(await fits(tab, width)), ...(await charts(tab))].map((text) => `${name}: ${text}`);
+  const png = await tab.picture();
+  if (folder) writeFileSync(join(folder, `${name}.png`), png);
+  return [...problems, ...blank(png, name)];
+}
+
+/// The checks in their order, each a function that gives its complaints.
+function stages(tab, url, results, folder) {
+  let checks = [];
+  return [
+    async () => { checks = (results ? [results] : await read_embedded(tab)).flatMap(rows_of); return []; },
+    () => errors(tab),
+    () => outside_requests(tab, url),
+    () => table_rows(tab, checks),
+    () => charts(tab),
+    () => convergence(tab, checks),
+    () => sections(tab),
+    () => figures(tab),
+    () => names(tab),
+    () => interaction(tab, checks),
+    ...looks.map((look) => () => picture(tab, look, folder)),
+    () => errors(tab),
+    () => outside_requests(tab, url),
+  ];
+}
+
+/// What is wrong with the page in `file`; nothing: an empty list. `results`: what it should show (default: what it holds).
+/// `folder` keeps the pictures. Stops at the first complaint that matches `until`.
+export async function check_page(browser, file, { results = null, folder = null, until = null, patience = 30 } = {}) {
+  if (folder) mkdirSync(folder, { recursive: true });
+  const url = pathToFileURL(file).href;
+  const tab = await Tab.open(browser, 1400);
+  try {
+    if (!(await tab.go(url, ready, patience))) return [...(await errors(tab)), "the page never finished drawing"];
+    const problems = new Set();
+    for (const stage of stages(tab, url, results, folder)) {
+      for (const problem of await stage()) problems.add(problem);
+      if (until && [...problems].some((problem) => until.test(problem))) break;
+    }
+    return [...problems];
+  } finally {
+    await tab.close();
+  }
+}

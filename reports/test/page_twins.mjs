@@ -1,0 +1,54 @@
+// Pages damaged on purpose. A check that none of them can fail would be no check.
+
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { check_page } from "./page_checks.mjs";
+
+const at_the_end = (script) => (page) => page.replace("</body>", `<script>${script}</script></body>`);
+const remove = (selector) => at_the_end(`document.querySelector(${JSON.stringify(selector)}).remove()`);
+
+/// name, damage to the page's text, and what the complaint must say.
+const twins = [
+  { name: "console error", damage: at_the_end('console.error("deliberate")'), complaint: /error on the page: deliberate/ },
+  { name: "exception", damage: at_the_end('throw new Error("deliberate")'), complaint: /error on the page: .*deliberate/ },
+  { name: "rejected promise", damage: at_the_end('Promise.reject(new Error("deliberate"))'), complaint: /error on the page: .*deliberate/ },
+  { name: "broken data", damage: (page) => page.replace('"cleave.report/1"', '"cleave.report/1'), complaint: /never finished drawing/ },
+  { name: "a row lost", damage: remove("#verdict-table tbody tr"), complaint: /verdict table: \d+ rows for \d+ checks/ },
+  { name: "a miss shown as a pass", damage: at_the_end('document.querySelector("#verdict-table .mark.fail").className = "mark pass"'),
+    complaint: /rows marked pass/ },
+  { name: "a twin not marked", damage: remove("#verdict-table .twin"), complaint: /must-fail twins marked/ },
+  { name: "an empty chart", damage: remove("figure.panel .chart svg"), complaint: /chart not drawn/ },
+  { name: "axes without curves", damage: at_the_end(
+    'document.querySelectorAll("figure.panel .chart path").forEach((path) => path.remove())'), complaint: /chart without curves/ },
+  { name: "no asserted slope", damage: at_the_end(
+    '[...document.querySelectorAll("#convergence svg text")].find((text) => text.textContent.startsWith("slope")).textContent = ""'),
+    complaint: /asserted slope .* is not written/ },
+  { name: "a curve lost", damage: remove("#convergence .legend li"), complaint: /convergence: \d+ curves for \d+ ladders/ },
+  { name: "an empty section", damage: at_the_end('document.querySelector("#samples").textContent = ""'), complaint: /empty section: samples/ },
+  { name: "NaN printed", damage: at_the_end('document.querySelector(".headline .figure").textContent = "NaN"'), complaint: /prints NaN/ },
+  { name: "too wide for a phone", damage: at_the_end('document.querySelector("h1").style.width = "600px"'), complaint: /wider than its window/ },
+  { name: "blank", damage: at_the_end('document.getElementById("page").style.opacity = 0'), complaint: /looks blank/ },
+  { name: "an unnamed button", damage: at_the_end('document.querySelector("#verdict-table th button").textContent = ""'), complaint: /no accessible name/ },
+  { name: "a request", damage: (page) => page.replace(/<meta http-equiv[^>]*>/, '<img src="http://127.0.0.1:9/x.png" alt="">'),
+    complaint: /asks for http/ },
+  { name: "sorting that does nothing", damage: at_the_end(
+    'document.querySelectorAll("#verdict-table thead").forEach((head) => head.replaceWith(head.cloneNode(true)))'), complaint: /sort/ },
+];
+
+/// Names of the twins that were not caught.
+export async function uncaught_twins(browser, file, folder) {
+  mkdirSync(folder, { recursive: true });
+  const page = readFileSync(file, "utf8");
+  const missed = [];
+  for (const { name, damage, complaint } of twins) {
+    const damaged = join(folder, `${name.replace(/ /g, "_")}.html`);
+    const text = damage(page);
+    if (text === page) throw new Error(`twin "${name}" changes nothing`);
+    writeFileSync(damaged, text);
+    const problems = await check_page(browser, damaged, { until: complaint, patience: 5 });
+    const caught = problems.some((line) => complaint.test(line));
+    console.log(`${caught ? "caught" : "MISSED"}: ${name}${caught ? "" : ` (said: ${problems.join("; ") || "nothing"})`}`);
+    if (!caught) missed.push(name);
+  }
+  return missed;
+}

@@ -15,5 +15,6 @@ using ParticleWeights = Weights (*)(const particles::Particles&, int i, std::spa
 
 Weights paper_weights(const particles::Particles&, int i, std::span<const int> neighbours, std::span<Eigen::Vector3d> weights);
 Weights corrected_weights(const particles::Particles&, int i, std::span<const int> neighbours, std::span<Eigen::Vector3d> weights);
+Weights quadratic_weights(const particles::Particles&, int i, std::span<const int> neighbours, std::span<Eigen::Vector3d> weights);
 
 }  // namespace cleave::elasticity

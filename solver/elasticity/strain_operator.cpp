@@ -16,7 +16,8 @@ struct NamedOperator {
     ParticleWeights weights;
 };
 
-constexpr std::array named_operators{NamedOperator{"paper", paper_weights}, NamedOperator{"corrected", corrected_weights}};
+constexpr std::array named_operators{NamedOperator{"paper", paper_weights}, NamedOperator{"corrected", corrected_weights},
+                                     NamedOperator{"quadratic", quadratic_weights}};
 
 const NamedOperator& find(const std::string& name) {
     std::string known;

@@ -41,6 +41,8 @@ std::vector<std::string> strain_operator_names();
 ///   corrected  d_ij = V_j K_i^-T grad W, K_i = particles::moment_matrix: exact for linear fields (Bonet and Lok 1999).
 ///              Falls back to the pseudo-inverse of K where its smallest singular value is below 1e-6 of its largest (particles in
 ///              a plane: the gradient across it is then zero).
+///   quadratic  moving least squares of order 2 through u_i, with the weights that `corrected` implies (quadratic.cpp): exact for
+///              quadratic fields too. Falls back to `corrected` where the neighbours do not determine the nine derivatives.
 ///
 /// Throws InputError for an unknown name.
 StrainOperator make_strain_operator(const std::string& name, const particles::Particles& particles,

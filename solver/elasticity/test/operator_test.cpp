@@ -111,6 +111,33 @@ TEST(Corrected, FirstOrderOnSmoothFields) {
     RecordProperty("aspect_4", summary(stretched));
 }
 
+/// Quadratic fields, on the meshes and kernels of the linear test. 1e-11: the fit's condition number reaches a thousand.
+TEST(Quadratic, ExactOnQuadraticFields) {
+    std::mt19937 generator(14);
+    for (const double grading : {1.0, 5.0})
+        for (const double aspect : {1.0, 4.0}) {
+            Particles particles = from_mesh(grading == 1 ? box_mesh(6) : box_mesh(6, 0.2, graded(grading)));
+            stretch_kernels(particles, aspect, generator);
+            const auto hood = build_neighbourhood(particles);
+            const StrainOperator op = make_strain_operator("quadratic", particles, hood);
+            RecordProperty("fallbacks", op.report.fallbacks);
+            EXPECT_LT(op.report.fallbacks, aspect == 1 ? 1 : particles.size() / 10);
+            EXPECT_LT(test::worst_gradient_error(op, particles, test::linear_field()), 1e-11);
+            if (op.report.fallbacks == 0) {
+                EXPECT_LT(test::worst_gradient_error(op, particles, test::quadratic_field()), 1e-11);
+            }
+            const StrainOperator corrected = make_strain_operator("corrected", particles, hood);
+            EXPECT_GT(test::worst_gradient_error(corrected, particles, test::quadratic_field()), 1e-3) << "must fail twin";
+        }
+}
+
+TEST(Quadratic, SecondOrderOnSmoothFields) {
+    const Orders found = orders("quadratic", 1);
+    RecordProperty("aspect_1", summary(found));
+    EXPECT_GT(found.inner, 1.8);
+    EXPECT_GT(found.surface, 1.8);
+}
+
 /// Must-fail twin of the order: the paper's operator stops at a floor.
 TEST(Paper, DoesNotConverge) {
     const Orders found = orders("paper", 1);

@@ -31,6 +31,23 @@ inline Field linear_field() {
     return {[=](const Eigen::Vector3d& x) -> Eigen::Vector3d { return a * x + b; }, [=](const Eigen::Vector3d&) { return a; }};
 }
 
+/// u_a = x . Q_a x / 2 + A x: all eighteen second derivatives at work.
+inline Field quadratic_field() {
+    std::array<Eigen::Matrix3d, 3> q;
+    q[0] << 1.2, 0.4, -0.7, 0.4, -0.9, 0.5, -0.7, 0.5, 0.8;
+    q[1] << -0.6, 0.9, 0.2, 0.9, 1.1, -0.3, 0.2, -0.3, 0.7;
+    q[2] << 0.5, -0.8, 0.6, -0.8, 0.4, 1.0, 0.6, 1.0, -1.3;
+    const Field linear = linear_field();
+    return {[=](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+                return linear.value(x) + 0.5 * Eigen::Vector3d(x.dot(q[0] * x), x.dot(q[1] * x), x.dot(q[2] * x));
+            },
+            [=](const Eigen::Vector3d& x) -> Eigen::Matrix3d {
+                Eigen::Matrix3d gradient = linear.gradient(x);
+                for (int a = 0; a < 3; ++a) gradient.row(a) += (q[a] * x).transpose();
+                return gradient;
+            }};
+}
+
 /// u_a = c_a sin(k_a . x + p_a): smooth, all nine gradients at work.
 inline Field smooth_field() {
     Eigen::Matrix3d k;

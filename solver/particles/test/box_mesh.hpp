@@ -22,33 +22,33 @@ inline Grading graded(double ratio) {
     };
 }
 
-/// The unit cube in 6 n^3 tets (Kuhn's six per cell), inner vertices moved at random by up to `jitter` of a cell: irregular, all
-/// positive for jitter <= 0.2.
-inline mesh::TetMesh box_mesh(int n, double jitter = 0.2, const Grading& grading = {}, unsigned seed = 1) {
+/// A lattice of n[0] x n[1] x n[2] unit cells in six tets each (Kuhn), inner vertices moved at random by up to `jitter`: irregular,
+/// all positive for jitter <= 0.2. Then every vertex goes where `place` says.
+inline mesh::TetMesh lattice_mesh(const std::array<int, 3>& n, double jitter, const Grading& place, unsigned seed = 1) {
     std::mt19937 generator(seed);
-    std::uniform_real_distribution<double> uniform(-jitter / n, jitter / n);
+    std::uniform_real_distribution<double> uniform(-jitter, jitter);
     mesh::TetMesh mesh{};
-    const auto vertex = [n](int i, int j, int k) { return (k * (n + 1) + j) * (n + 1) + i; };
-    for (int k = 0; k <= n; ++k)
-        for (int j = 0; j <= n; ++j)
-            for (int i = 0; i <= n; ++i) {
+    const auto vertex = [&n](const std::array<int, 3>& at) { return (at[2] * (n[1] + 1) + at[1]) * (n[0] + 1) + at[0]; };
+    for (int k = 0; k <= n[2]; ++k)
+        for (int j = 0; j <= n[1]; ++j)
+            for (int i = 0; i <= n[0]; ++i) {
                 const std::array<int, 3> at{i, j, k};
-                Eigen::Vector3d x;
+                Eigen::Vector3d x(i, j, k);
                 for (int a = 0; a < 3; ++a) {
                     const double moved = uniform(generator);
-                    x[a] = static_cast<double>(at[a]) / n + (at[a] > 0 && at[a] < n ? moved : 0.0);
+                    if (at[a] > 0 && at[a] < n[a]) x[a] += moved;
                 }
-                mesh.vertices.push_back(grading ? grading(x) : x);
+                mesh.vertices.push_back(place(x));
             }
     constexpr std::array<std::array<int, 3>, 6> paths{{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
-    for (int k = 0; k < n; ++k)
-        for (int j = 0; j < n; ++j)
-            for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n[2]; ++k)
+        for (int j = 0; j < n[1]; ++j)
+            for (int i = 0; i < n[0]; ++i)
                 for (const auto& path : paths) {
                     std::array<int, 3> at{i, j, k};
                     std::array<int, 4> tet{};
                     for (int step = 0; step < 4; ++step) {
-                        tet[step] = vertex(at[0], at[1], at[2]);
+                        tet[step] = vertex(at);
                         if (step < 3) ++at[path[step]];
                     }
                     mesh.tets.push_back(tet);
@@ -57,6 +57,12 @@ inline mesh::TetMesh box_mesh(int n, double jitter = 0.2, const Grading& grading
                     if (mesh::tet_volume(mesh, last) < 0) std::swap(mesh.tets[last][2], mesh.tets[last][3]);
                 }
     return mesh;
+}
+
+/// The unit cube in 6 n^3 tets; `jitter` in cells.
+inline mesh::TetMesh box_mesh(int n, double jitter = 0.2, const Grading& grading = {}, unsigned seed = 1) {
+    const auto place = [&](const Eigen::Vector3d& x) -> Eigen::Vector3d { return grading ? grading(x / n) : Eigen::Vector3d(x / n); };
+    return lattice_mesh({n, n, n}, jitter, place, seed);
 }
 
 inline Eigen::Matrix3d random_rotation(std::mt19937& generator) {

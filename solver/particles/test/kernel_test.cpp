@@ -45,14 +45,19 @@ double integral(const Kernel& w, const Matrix3d& tensor) {
     return sum;
 }
 
+/// In the cube [-half, half]^3.
+Vector3d random_point(std::mt19937& generator, double half) {
+    std::uniform_real_distribution<double> uniform(-half, half);
+    return {uniform(generator), uniform(generator), uniform(generator)};
+}
+
 /// Largest error of the gradient against central differences, over the largest gradient seen.
 double gradient_error(const Matrix3d& tensor, std::mt19937& generator) {
-    std::uniform_real_distribution<double> uniform(-1, 1);
     const Matrix3d inverse = tensor.inverse();
     const double step = 1e-5 * inverse.norm();
     double error = 0, scale = 0;
     for (int trial = 0; trial < 200; ++trial) {
-        const Vector3d y(uniform(generator), uniform(generator), uniform(generator));
+        const Vector3d y = random_point(generator, 1);
         if (y.norm() < 0.05 || std::abs(y.norm() - 1) < 1e-3) continue;  // the cusp, and the edge of the support
         const Vector3d r = inverse * y;
         Vector3d difference;
@@ -80,7 +85,7 @@ void expect_kernel_properties(const Matrix3d& tensor) {
     const double top = kernel(Vector3d::Zero(), tensor);
     for (int trial = 0; trial < 20; ++trial) {
         const Matrix3d turn = test::random_rotation(generator);
-        const Vector3d r = inverse * Vector3d::Random() * 0.5;
+        const Vector3d r = inverse * random_point(generator, 0.5);
         EXPECT_NEAR(kernel(turn * r, rotated_tensor(tensor, turn)), kernel(r, tensor), 1e-13 * top);
     }
 }
@@ -118,7 +123,7 @@ TEST(SmoothingTensor, ThePrintedRotationIsWrong) {
     double worst = 0;
     for (int trial = 0; trial < 500; ++trial) {
         const Matrix3d turn = test::random_rotation(generator);
-        const Vector3d r = tensor.inverse() * Vector3d::Random() * 0.6;
+        const Vector3d r = tensor.inverse() * random_point(generator, 0.6);
         worst = std::max(worst, std::abs(kernel(turn * r, turn.transpose() * tensor * turn) - kernel(r, tensor)));
     }
     EXPECT_GT(worst / kernel(Vector3d::Zero(), tensor), 0.1);

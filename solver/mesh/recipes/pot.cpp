@@ -1,0 +1,100 @@
+#include "solver/mesh/recipes/pot.hpp"
+
+#include "solver/mesh/gmsh_session.hpp"
+#include "solver/mesh/size_tuning.hpp"
+
+#include <fmt/format.h>
+#include <gmsh.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace cleave::mesh {
+namespace {
+
+namespace occ = gmsh::model::occ;
+
+/// A point of the profile in the half plane r >= 0.
+struct ProfilePoint {
+    double r, z;
+};
+
+/// The outer profile from foot to rim.
+std::array<ProfilePoint, 5> outer_profile(const PotShape& s) {
+    return {{{s.foot_radius, 0},
+             {0.88 * s.belly_radius, 0.22 * s.height},
+             {s.belly_radius, 0.48 * s.height},
+             {s.neck_radius, 0.86 * s.height},
+             {s.rim_radius, s.height}}};
+}
+
+/// The inner profile: each outer point moved inwards by the wall, the lowest one also up by it, the rim level.
+std::array<ProfilePoint, 5> inner_profile(const PotShape& s) {
+    std::array<ProfilePoint, 5> points = outer_profile(s);
+    for (ProfilePoint& point : points) point.r -= s.wall;
+    points[0].z += s.wall;
+    return points;
+}
+
+template <std::size_t count>
+std::vector<int> add_points(const std::array<ProfilePoint, count>& profile) {
+    std::vector<int> points;
+    for (const ProfilePoint& point : profile) points.push_back(occ::addPoint(point.r, 0, point.z));
+    return points;
+}
+
+/// The profile: foot, outer wall, rim, inner wall, inner floor, and the part of the axis inside the floor.
+int add_profile(const PotShape& shape) {
+    const std::vector<int> outer = add_points(outer_profile(shape));
+    const std::vector<int> inner = add_points(inner_profile(shape));
+    const int axis_bottom = occ::addPoint(0, 0, 0);
+    const int axis_top = occ::addPoint(0, 0, shape.wall);
+    const std::vector<int> curves{occ::addLine(axis_bottom, outer.front()), occ::addSpline(outer),
+                                  occ::addLine(outer.back(), inner.back()), occ::addSpline({inner.rbegin(), inner.rend()}),
+                                  occ::addLine(inner.front(), axis_top),    occ::addLine(axis_top, axis_bottom)};
+    return occ::addPlaneSurface({occ::addCurveLoop(curves)});
+}
+
+void build(const PotShape& shape) {
+    const int profile = add_profile(shape);
+    gmsh::vectorpair swept;
+    occ::revolve({{2, profile}}, 0, 0, 0, 0, 0, 1, 2 * std::numbers::pi, swept);
+    occ::remove({{2, profile}});
+    occ::synchronize();
+    gmsh::vectorpair volumes, surfaces;
+    gmsh::model::getEntities(volumes, 3);
+    gmsh::model::addPhysicalGroup(3, {volumes.at(0).second}, 1);
+    gmsh::model::setPhysicalName(3, 1, "pot");
+    gmsh::model::getBoundary(volumes, surfaces, true, false);
+    std::vector<int> tags;
+    for (const auto& [unused, tag] : surfaces) tags.push_back(tag);
+    gmsh::model::addPhysicalGroup(2, tags, 1);
+    gmsh::model::setPhysicalName(2, 1, "outside");
+}
+
+std::string recipe_text(int target, const PotShape& s) {
+    return fmt::format("pot 1: target {} height {:.17g} foot {:.17g} belly {:.17g} neck {:.17g} rim {:.17g} wall {:.17g}, gmsh {}", target,
+                       s.height, s.foot_radius, s.belly_radius, s.neck_radius, s.rim_radius, s.wall, GmshSession::version());
+}
+
+TetMesh meshed(const PotShape& shape, int target) {
+    const GmshSession gmsh_session;
+    gmsh_session.new_model("pot");
+    gmsh_session.run([&] { build(shape); });
+    const auto make = [&](double size) {
+        gmsh_session.run([] { gmsh::model::mesh::clear(); });
+        gmsh_session.set_uniform_size(size);
+        gmsh_session.generate();
+        return gmsh_session.take_mesh();
+    };
+    return tune_count(make, shape.wall, target).mesh;
+}
+
+}  // namespace
+
+Body pot(int target_count, const std::filesystem::path& cache, const PotShape& shape) {
+    return cached_body("pot", recipe_text(target_count, shape), target_count, cache, [&] { return meshed(shape, target_count); });
+}
+
+}  // namespace cleave::mesh

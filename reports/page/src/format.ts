@@ -1,6 +1,7 @@
 // Numbers as a careful typesetter writes them: minus signs, thin spaces, SI prefixes, powers of ten.
 
 const narrow = "\u202f";
+const hard = "\u00a0";  // a space that no line break takes
 const superscripts: Record<string, string> = {
   "-": "⁻", "0": "⁰", "1": "¹", "2": "²", "3": "³", "4": "⁴", "5": "⁵", "6": "⁶", "7": "⁷", "8": "⁸", "9": "⁹",
 };
@@ -33,7 +34,7 @@ export function number(value: number | null | undefined, digits = 4): string {
   if (is_plain_size(value)) return trim_zeros(plain(Number(value.toPrecision(digits)), digits));
   const [mantissa, power] = value.toExponential(digits - 1).split("e");
   const short = trim_zeros(mantissa).replace("-", "−");
-  return `${short} × 10${superscript(Number(power))}`;
+  return `${short}${hard}×${hard}10${superscript(Number(power))}`;
 }
 
 function trim_zeros(text: string): string {
@@ -44,6 +45,7 @@ function trim_zeros(text: string): string {
 export function unit_text(unit: string): string {
   if (unit === "1") return "";
   return unit
+    .replace(/ /g, hard)
     .replace(/\bm\^0\.5\b/g, "√m")
     .replace(/\^(-?\d+)/g, (_, power: string) => superscript(Number(power)))
     .replace(/\s*\*\s*/g, "·");
@@ -64,15 +66,15 @@ export function quantity(value: number | null | undefined, unit: string | null |
   if (!unit || unit === "1") return number(value, digits);
   if (value !== 0 && takes_prefix(unit)) {
     const found = prefixes.find(([factor]) => Math.abs(value) >= factor * 0.9995);
-    if (found && Math.abs(value) < 1e15) return `${number(value / found[0], digits)} ${found[1]}${unit_text(unit)}`;
+    if (found && Math.abs(value) < 1e15) return `${number(value / found[0], digits)}${hard}${found[1]}${unit_text(unit)}`;
   }
-  return `${number(value, digits)} ${unit_text(unit)}`;
+  return `${number(value, digits)}${hard}${unit_text(unit)}`;
 }
 
 export function percent(share: number | null | undefined): string {
   if (share === null || share === undefined || !Number.isFinite(share)) return dash;
   if (share !== 0 && Math.abs(share) < 1e-5) return number(share, 2);
-  return `${number(share * 100, Math.abs(share) < 0.1 ? 2 : 3)} %`;
+  return `${number(share * 100, Math.abs(share) < 0.1 ? 2 : 3)}${hard}%`;
 }
 
 export function words(name: string): string {
@@ -88,10 +90,10 @@ export function band_text(band: Record<string, unknown> | null | undefined, unit
   if (!band) return dash;
   return Object.entries(band).map(([key, value]) => {
     const amount = typeof value === "number" ? value : null;
-    if (key === "relative" && amount !== null) return `≤ ${percent(amount)}`;
-    if (key === "absolute" && amount !== null) return `≤ ${quantity(amount, unit)}`;
-    if (key === "order_at_least") return `order ≥ ${as_text(value)}`;
-    if (key === "angle") return `≤ ${amount === null ? as_text(value) : quantity(amount, "rad")}`;
+    if (key === "relative" && amount !== null) return `≤${hard}${percent(amount)}`;
+    if (key === "absolute" && amount !== null) return `≤${hard}${quantity(amount, unit)}`;
+    if (key === "order_at_least") return `order ≥${hard}${as_text(value)}`;
+    if (key === "angle") return `≤${hard}${amount === null ? as_text(value) : quantity(amount, "rad")}`;
     if (key === "where") return `where ${as_text(value)}`;
     return `${words(key)} ${as_text(value)}`;
   }).join(", ");

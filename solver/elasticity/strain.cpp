@@ -19,15 +19,24 @@ double Fields::total_energy() const {
     return sum;
 }
 
+void append_strained(Fields& fields, const Eigen::Matrix3d& gradient, const material::Voigt& strain, double volume,
+                     const material::Stiffness& stiffness) {
+    const material::Voigt stress = stiffness * strain;
+    fields.gradient.push_back(gradient);
+    fields.strain.push_back(strain);
+    fields.stress.push_back(stress);
+    fields.energy.push_back(strain_energy(volume, strain, stress));
+}
+
+void append_linear(Fields& fields, const Eigen::Matrix3d& gradient, double volume, const material::Stiffness& stiffness) {
+    append_strained(fields, gradient, strain_of(gradient), volume, stiffness);
+}
+
 Fields evaluate(const StrainOperator& op, const particles::Particles& particles, const Solid& solid,
                 const std::vector<Eigen::Vector3d>& displacement) {
     Fields fields;
-    fields.gradient = displacement_gradients(op, displacement);
-    for (int i = 0; i < particles.size(); ++i) {
-        fields.strain.push_back(strain_of(fields.gradient[i]));
-        fields.stress.push_back(solid.of(i) * fields.strain[i]);
-        fields.energy.push_back(strain_energy(particles.volume[i], fields.strain[i], fields.stress[i]));
-    }
+    for (int i = 0; i < particles.size(); ++i)
+        append_linear(fields, displacement_gradient(op, i, displacement), particles.volume[i], solid.of(i));
     return fields;
 }
 

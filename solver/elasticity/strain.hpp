@@ -35,6 +35,13 @@ struct Fields {
     double total_energy() const;  ///< J, summed by particle id
 };
 
+/// Adds one particle of displacement gradient `gradient`, volume (m^3) and stiffness (Pa): strain by Eq. 1, energy by Eq. 8.
+void append_linear(Fields& fields, const Eigen::Matrix3d& gradient, double volume, const material::Stiffness& stiffness);
+
+/// The same for a strain already known.
+void append_strained(Fields& fields, const Eigen::Matrix3d& gradient, const material::Voigt& strain, double volume,
+                     const material::Stiffness& stiffness);
+
 /// Gradient, strain, stress and energy of every particle (Eqs. 7, 1, 8). The plain loop: the oracle of any faster form.
 Fields evaluate(const StrainOperator& op, const particles::Particles& particles, const Solid& solid,
                 const std::vector<Eigen::Vector3d>& displacement);

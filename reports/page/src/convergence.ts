@@ -29,7 +29,9 @@ function group_key({ owner, check }: Row): string {
 function groups_of(rows: Row[]): Row[][] {
   const groups = new Map<string, Row[]>();
   for (const row of rows) groups.set(group_key(row), [...(groups.get(group_key(row)) ?? []), row]);
-  return [...groups.values()];
+  // Asserted slopes first; otherwise in the order of the results.
+  const asserts = (group: Row[]): number => (group.some((row) => asserted_order(row) !== null) ? 0 : 1);
+  return [...groups.values()].sort((a, b) => asserts(a) - asserts(b));
 }
 
 function curves_of(rows: Row[]): Curve[] {

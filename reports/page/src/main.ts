@@ -11,7 +11,7 @@ import { subdivision_section } from "./subdivision";
 import { missed_section, verdict_section } from "./verdict_table";
 
 function unique(values: unknown[]): string {
-  return [...new Set(values.filter((value) => typeof value === "string" && value !== ""))].join(", ");
+  return [...new Set(values.filter((value) => typeof value === "string" && value !== "" && value !== "unknown"))].join(", ");
 }
 
 function origin({ sources }: Report): string {

@@ -17,8 +17,9 @@ function verdict_cell({ check }: Row): Node {
   return el("span", {}, cell, " ", el("abbr", { class: "twin", title: why }, "must-fail twin"));
 }
 
-function lines(first: Node | string, second: string): Node {
-  return el("span", {}, first, second ? el("small", {}, second) : null);
+/// A first line and smaller ones below it; empty ones are left out.
+function lines(first: Node | string, ...others: string[]): Node {
+  return el("span", {}, first, ...others.filter(Boolean).map((text) => el("small", {}, text)));
 }
 
 function parameters_text(row: Row): string {
@@ -32,10 +33,11 @@ function case_cell(row: Row): Node {
 
 function resolution_cell({ check }: Row): Node {
   const { size, unit, particles, dofs } = check.resolution ?? {};
+  const cells = check.solver.startsWith("fem") ? "tets" : "particles";  // a particle is a tet of the same mesh
   const counts = [];
-  if (typeof particles === "number") counts.push(`${number(particles)} particles`);
+  if (typeof particles === "number") counts.push(`${number(particles)} ${cells}`);
   if (typeof dofs === "number") counts.push(`${number(dofs)} dofs`);
-  return lines(typeof size === "number" ? quantity(size, unit ?? "", 3) : dash, counts.join(", "));
+  return lines(typeof size === "number" ? quantity(size, unit ?? "", 3) : dash, ...counts);
 }
 
 function reference_cell({ check }: Row): Node {
@@ -191,16 +193,24 @@ export function verdict_section({ rows }: Report): HTMLElement {
   return section("verdicts", "Verdicts", ...new VerdictTable(rows).elements());
 }
 
+function missed_text(row: Row): string {
+  const { check } = row;
+  const what = [`${words(check.quantity)}${check.component ? ` ${check.component}` : ""} by ${check.solver}`, check.place].filter(Boolean).join(", ");
+  if (check.must_fail) return `${what}: the wrong reference was not caught.`;
+  const measured = [
+    typeof check.value === "number" ? quantity(check.value, check.unit) : "",
+    typeof check.reference === "number" ? `reference ${quantity(check.reference, check.unit)}` : "",
+    typeof check.error === "number" && check.error_kind !== "order" ? `error ${error_text(check.error, check.error_kind, check.unit)}` : "",
+    typeof check.order === "number" ? `observed order ${number(check.order, 3)}` : "",
+    `band ${band_cell(row)}`,
+  ];
+  return `${what}: ${measured.filter(Boolean).join(", ")}.`;
+}
+
 /// Only where a band was missed: what and where, before anything else.
 export function missed_section({ rows }: Report): HTMLElement | null {
   const missed = rows.filter((row) => row.check.verdict === "fail");
   if (missed.length === 0) return null;
-  const items = missed.map((row) => {
-    const { check } = row;
-    const text = ` ${words(check.quantity)} ${check.component ?? ""} by ${check.solver}${check.place ? `, ${check.place}` : ""}: `
-      + `${quantity(check.value, check.unit)}, ${check.must_fail ? "a wrong reference that should have been caught" : `band ${band_cell(row)}`}`
-      + `${check.reference === null || check.reference === undefined ? "" : `, reference ${quantity(check.reference, check.unit)}`}.`;
-    return el("li", {}, el("a", { href: `#${case_id(row.owner)}` }, row.owner.name), text);
-  });
+  const items = missed.map((row) => el("li", {}, el("a", { href: `#${case_id(row.owner)}` }, row.owner.name), `: ${missed_text(row)}`));
   return section("missed", "Missed bands", el("ul", {}, ...items));
 }

@@ -7,6 +7,8 @@ import { Tab } from "./chromium.mjs";
 import { describe_png } from "./png.mjs";
 
 const ready = 'document.documentElement.dataset.ready === "true"';
+const stopped = '(document.documentElement.dataset.errors ?? "[]") !== "[]"';
+const patience_seconds = 30;
 const rows_of = (results) => results.cases.flatMap((entry) => entry.checks);
 const drawable = (check) => (check.ladder ?? []).filter(({ size, error }) => size > 0 && error > 0).length > 1;
 
@@ -185,12 +187,13 @@ function stages(tab, url, results, folder) {
 
 /// What is wrong with the page in `file`; nothing: an empty list. `results`: what it should show (default: what it holds).
 /// `folder` keeps the pictures. Stops at the first complaint that matches `until`.
-export async function check_page(browser, file, { results = null, folder = null, until = null, patience = 30 } = {}) {
+export async function check_page(browser, file, { results = null, folder = null, until = null } = {}) {
   if (folder) mkdirSync(folder, { recursive: true });
   const url = pathToFileURL(file).href;
   const tab = await Tab.open(browser, 1400);
   try {
-    if (!(await tab.go(url, ready, patience))) return [...(await errors(tab)), "the page never finished drawing"];
+    await tab.go(url, `(${ready}) || (${stopped})`, patience_seconds);
+    if (!(await tab.evaluate(ready))) return [...(await errors(tab)), "the page never finished drawing"];
     const problems = new Set();
     for (const stage of stages(tab, url, results, folder)) {
       for (const problem of await stage()) problems.add(problem);

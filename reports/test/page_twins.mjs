@@ -45,7 +45,7 @@ export async function uncaught_twins(browser, file, folder) {
     const text = damage(page);
     if (text === page) throw new Error(`twin "${name}" changes nothing`);
     writeFileSync(damaged, text);
-    const problems = await check_page(browser, damaged, { until: complaint, patience: 5 });
+    const problems = await check_page(browser, damaged, { until: complaint });
     const caught = problems.some((line) => complaint.test(line));
     console.log(`${caught ? "caught" : "MISSED"}: ${name}${caught ? "" : ` (said: ${problems.join("; ") || "nothing"})`}`);
     if (!caught) missed.push(name);

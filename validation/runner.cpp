@@ -149,10 +149,11 @@ void add_step(const Check& check, std::vector<Row>& rows, LevelSources& sources)
     }
 }
 
+/// The order is taken over N^(-1/3), N the number of tets: a mesh generator meets the size asked for only roughly.
 void conclude(Row& row) {
     std::vector<double> sizes, errors;
     for (const LadderStep& step : row.ladder) {
-        sizes.push_back(step.resolution.size);
+        sizes.push_back(std::cbrt(1.0 / static_cast<double>(step.resolution.particles)));
         errors.push_back(step.error);
     }
     if (sizes.size() >= 2)

@@ -36,7 +36,7 @@ public:
     explicit PlateWithHole(const Plate& plate) : plate_(plate) {}
 
     Body mesh(double size, const std::filesystem::path& folder) const override {
-        const std::string recipe = fmt::format("plate 1 {} {} {} {} {} size {}", plate_.hole_radius, plate_.half_width, plate_.thickness,
+        const std::string recipe = fmt::format("plate 2 {} {} {} {} {} size {}", plate_.hole_radius, plate_.half_width, plate_.thickness,
                                                plate_.layers, plate_.quarter, size);
         Body body;
         body.mesh_file = cached_mesh(folder, "plate_with_hole", recipe, [&] { build(size); });
@@ -103,14 +103,17 @@ private:
 
     void set_sizes(double size) const {
         const double a = plate_.hole_radius;
-        const auto size_at = [a, size](double r) {
-            if (r < 2 * a) return size / 3 + (size - size / 3) * std::max(0.0, r / a - 1);
-            return size + 0.3 * std::max(0.0, r - 3 * a);
+        const auto size_at = [a, size](double x, double y) {
+            const double r = std::hypot(x, y);
+            const double ring = r < 2 * a ? size / 3 + (size - size / 3) * std::max(0.0, r / a - 1) : size + 0.3 * std::max(0.0, r - 3 * a);
+            // Stiff fibres squeeze the stress peak into a few hundredths of the radius beside the poles of the hole.
+            const double pole = std::min(std::hypot(x, std::abs(y) - a), std::hypot(std::abs(x) - a, y));
+            return std::min(ring, size / 12 + 0.25 * pole);
         };
         gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
         gmsh::option::setNumber("Mesh.MeshSizeMin", 0);
         gmsh::option::setNumber("Mesh.MeshSizeMax", plate_.half_width);
-        gmsh::model::mesh::setSizeCallback([size_at](int, int, double x, double y, double) { return size_at(std::hypot(x, y)); });
+        gmsh::model::mesh::setSizeCallback([size_at](int, int, double x, double y, double) { return size_at(x, y); });
     }
 
     Plate plate_;

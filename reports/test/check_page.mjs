@@ -14,7 +14,8 @@ function read_arguments(words) {
   const options = { twins: false, file: null, results: null, out: null };
   for (let i = 0; i < words.length; ++i) {
     if (words[i] === "--twins") options.twins = true;
-    else if (words[i] === "--results" || words[i] === "--out") options[words[i].slice(2)] = words[++i] ?? usage(`${words[i - 1]} needs a value`);
+    else if (words[i] === "--results" || words[i] === "--out")
+      options[words[i].slice(2)] = words[++i] ?? usage(`${words[i - 1]} needs a value`);
     else if (words[i].startsWith("--") || options.file) usage(`unexpected ${words[i]}`);
     else options.file = words[i];
   }

@@ -5,8 +5,18 @@ import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-const flags = ["--headless", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--hide-scrollbars", "--remote-debugging-pipe",
-  "--no-first-run", "--disable-background-networking", "--disable-component-update", "--force-color-profile=srgb"];
+const flags = [
+  "--headless",
+  "--no-sandbox",
+  "--disable-dev-shm-usage",
+  "--disable-gpu",
+  "--hide-scrollbars",
+  "--remote-debugging-pipe",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--force-color-profile=srgb",
+];
 
 export class Chromium {
   #child;
@@ -18,8 +28,9 @@ export class Chromium {
 
   constructor() {
     this.#profile = mkdtempSync(join(tmpdir(), "cleave-chromium-"));
-    this.#child = spawn(process.env.CHROMIUM ?? "chromium", [...flags, `--user-data-dir=${this.#profile}`, "about:blank"],
-      { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
+    this.#child = spawn(process.env.CHROMIUM ?? "chromium", [...flags, `--user-data-dir=${this.#profile}`, "about:blank"], {
+      stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"],
+    });
     this.#child.stdio[4].setEncoding("utf8").on("data", (text) => this.#receive(text));
     this.#child.stdio[3].on("error", () => {});
     this.#child.on("exit", () => this.#fail_all("Chromium ended"));
@@ -136,6 +147,7 @@ export class Tab {
     if (method === "Network.requestWillBeSent") this.requests.push(params.request.url);
     if (method === "Runtime.exceptionThrown") this.log.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
     if (method === "Log.entryAdded" && params.entry.level === "error") this.log.push(params.entry.text);
-    if (method === "Runtime.consoleAPICalled" && params.type === "error") this.log.push(params.args.map((arg) => arg.value ?? arg.description).join(" "));
+    if (method === "Runtime.consoleAPICalled" && params.type === "error")
+      this.log.push(params.args.map((arg) => arg.value ?? arg.description).join(" "));
   }
 }

@@ -13,11 +13,13 @@ const rows_of = (results) => results.cases.flatMap((entry) => entry.checks);
 const drawable = (check) => (check.ladder ?? []).filter(({ size, error }) => size > 0 && error > 0).length > 1;
 
 /// The results that the page claims to show, from its own data block.
-const read_embedded = (tab) => tab.evaluate(
-  'JSON.parse(document.getElementById("report-data")?.textContent ?? \'{"sources":[]}\').sources.map((source) => source.results)');
+const read_embedded = (tab) =>
+  tab.evaluate(
+    'JSON.parse(document.getElementById("report-data")?.textContent ?? \'{"sources":[]}\').sources.map((source) => source.results)',
+  );
 
 async function errors(tab) {
-  const kept = await tab.evaluate('JSON.parse(document.documentElement.dataset.errors ?? \'["the page does not collect its errors"]\')');
+  const kept = await tab.evaluate("JSON.parse(document.documentElement.dataset.errors ?? '[\"the page does not collect its errors\"]')");
   return [...new Set([...kept, ...tab.log])].map((text) => `error on the page: ${text}`);
 }
 
@@ -58,7 +60,8 @@ async function charts(tab) {
     });
     const drawn = [...svg.querySelectorAll("path")].filter(coloured).length;
     probe.remove();
-    return wanted > 0 && drawn >= wanted ? [] : ["chart without curves: " + title + " (" + drawn + " coloured paths for " + wanted + " curves)"];
+    const counts = drawn + " coloured paths for " + wanted + " curves";
+    return wanted > 0 && drawn >= wanted ? [] : ["chart without curves: " + title + " (" + counts + ")"];
   })`);
 }
 
@@ -74,17 +77,20 @@ async function convergence(tab, checks) {
   for (const order of new Set(asserted)) {
     const times = asserted.filter((other) => other === order).length;
     const text = Number(order.toPrecision(4));
-    if (count(legend, `asserted slope ${text}`) !== times) problems.push(`convergence: the asserted slope ${text} is missing from a legend`);
+    if (count(legend, `asserted slope ${text}`) !== times)
+      problems.push(`convergence: the asserted slope ${text} is missing from a legend`);
     if (count(labels, `slope ${text}`) !== times) problems.push(`convergence: the asserted slope ${text} is not written in a chart`);
   }
   return problems;
 }
 
 /// A section shows something, or one line that says why not.
-const sections = (tab) => tab.evaluate(`[...document.querySelectorAll("main section")].filter((part) =>
+const sections = (tab) =>
+  tab.evaluate(`[...document.querySelectorAll("main section")].filter((part) =>
   !part.querySelector("table, figure.panel .chart svg, .missing, dl, li")).map((part) => "empty section: " + part.id)`);
 
-const figures = (tab) => tab.evaluate(`(() => {
+const figures = (tab) =>
+  tab.evaluate(`(() => {
   const empty = [...document.querySelectorAll(".headline dd")].filter((item) => item.textContent.trim() === "").length;
   const count = document.querySelectorAll(".headline .figure").length;
   const nonsense = /\\bNaN\\b|undefined|Infinity|\\[object/.exec(document.getElementById("page")?.innerText ?? "");
@@ -96,14 +102,20 @@ const fits = async (tab, width) => {
   return wide > width ? [`wider than its window: ${wide} of ${width} px`] : [];
 };
 
-const names = (tab) => tab.evaluate(`[
-  ...[...document.querySelectorAll("th, button, select, input, [role=img], [role=region]")].filter((item) =>
-    !(item.getAttribute("aria-label") || item.closest("label")?.textContent || item.textContent).trim()).map((item) => "no accessible name: " + item.outerHTML.slice(0, 80)),
-  ...[...document.querySelectorAll("a[href^='#']")].filter((link) => !document.getElementById(link.getAttribute("href").slice(1)))
-    .map((link) => "link to nowhere: " + link.getAttribute("href")),
-  ...(document.documentElement.lang && document.querySelector("main h2") && document.querySelector("h1") ? [] : ["no headings or language"]),
-  ...[...document.querySelectorAll("[id]")].filter((item) => document.getElementById(item.id) !== item).map((item) => "id used twice: " + item.id),
-]`);
+const names = (tab) =>
+  tab.evaluate(`(() => {
+  const all = (selector) => [...document.querySelectorAll(selector)];
+  const named = (item) => (item.getAttribute("aria-label") || item.closest("label")?.textContent || item.textContent).trim() !== "";
+  const target = (link) => document.getElementById(link.getAttribute("href").slice(1));
+  const structured = document.documentElement.lang && document.querySelector("h1") && document.querySelector("main h2");
+  return [
+    ...all("th, button, select, input, [role=img], [role=region]").filter((item) => !named(item))
+      .map((item) => "no accessible name: " + item.outerHTML.slice(0, 80)),
+    ...all("a[href^='#']").filter((link) => !target(link)).map((link) => "link to nowhere: " + link.getAttribute("href")),
+    ...all("[id]").filter((item) => document.getElementById(item.id) !== item).map((item) => "id used twice: " + item.id),
+    ...(structured ? [] : ["no headings or language"]),
+  ];
+})()`);
 
 /// Sort by keyboard, filter, CSV: done on the page, then undone.
 async function interaction(tab, checks) {
@@ -169,7 +181,10 @@ async function picture(tab, { name, width, media, scheme }, folder) {
 function stages(tab, url, results, folder) {
   let checks = [];
   return [
-    async () => { checks = (results ? [results] : await read_embedded(tab)).flatMap(rows_of); return []; },
+    async () => {
+      checks = (results ? [results] : await read_embedded(tab)).flatMap(rows_of);
+      return [];
+    },
     () => errors(tab),
     () => outside_requests(tab, url),
     () => table_rows(tab, checks),

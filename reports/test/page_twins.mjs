@@ -14,25 +14,53 @@ const twins = [
   { name: "rejected promise", damage: at_the_end('Promise.reject(new Error("deliberate"))'), complaint: /error on the page: .*deliberate/ },
   { name: "broken data", damage: (page) => page.replace('"cleave.report/1"', '"cleave.report/1'), complaint: /never finished drawing/ },
   { name: "a row lost", damage: remove("#verdict-table tbody tr"), complaint: /verdict table: \d+ rows for \d+ checks/ },
-  { name: "a miss shown as a pass", damage: at_the_end('document.querySelector("#verdict-table .mark.fail").className = "mark pass"'),
-    complaint: /rows marked pass/ },
+  {
+    name: "a miss shown as a pass",
+    damage: at_the_end('document.querySelector("#verdict-table .mark.fail").className = "mark pass"'),
+    complaint: /rows marked pass/,
+  },
   { name: "a twin not marked", damage: remove("#verdict-table .twin"), complaint: /must-fail twins marked/ },
   { name: "an empty chart", damage: remove("figure.panel .chart svg"), complaint: /chart not drawn/ },
-  { name: "axes without curves", damage: at_the_end(
-    'document.querySelectorAll("figure.panel .chart path").forEach((path) => path.remove())'), complaint: /chart without curves/ },
-  { name: "no asserted slope", damage: at_the_end(
-    '[...document.querySelectorAll("#convergence svg text")].find((text) => text.textContent.startsWith("slope")).textContent = ""'),
-    complaint: /asserted slope .* is not written/ },
+  {
+    name: "axes without curves",
+    damage: at_the_end('document.querySelectorAll("figure.panel .chart path").forEach((path) => path.remove())'),
+    complaint: /chart without curves/,
+  },
+  {
+    name: "no asserted slope",
+    damage: at_the_end(
+      '[...document.querySelectorAll("#convergence svg text")].find((text) => text.textContent.startsWith("slope")).textContent = ""',
+    ),
+    complaint: /asserted slope .* is not written/,
+  },
   { name: "a curve lost", damage: remove("#convergence .legend li"), complaint: /convergence: \d+ curves for \d+ ladders/ },
-  { name: "an empty section", damage: at_the_end('document.querySelector("#samples").textContent = ""'), complaint: /empty section: samples/ },
+  {
+    name: "an empty section",
+    damage: at_the_end('document.querySelector("#samples").textContent = ""'),
+    complaint: /empty section: samples/,
+  },
   { name: "NaN printed", damage: at_the_end('document.querySelector(".headline .figure").textContent = "NaN"'), complaint: /prints NaN/ },
-  { name: "too wide for a phone", damage: at_the_end('document.querySelector("h1").style.width = "600px"'), complaint: /wider than its window/ },
+  {
+    name: "too wide for a phone",
+    damage: at_the_end('document.querySelector("h1").style.width = "600px"'),
+    complaint: /wider than its window/,
+  },
   { name: "blank", damage: at_the_end('document.getElementById("page").style.opacity = 0'), complaint: /looks blank/ },
-  { name: "an unnamed button", damage: at_the_end('document.querySelector("#verdict-table th button").textContent = ""'), complaint: /no accessible name/ },
-  { name: "a request", damage: (page) => page.replace(/<meta http-equiv[^>]*>/, '<img src="http://127.0.0.1:9/x.png" alt="">'),
-    complaint: /asks for http/ },
-  { name: "sorting that does nothing", damage: at_the_end(
-    'document.querySelectorAll("#verdict-table thead").forEach((head) => head.replaceWith(head.cloneNode(true)))'), complaint: /sort/ },
+  {
+    name: "an unnamed button",
+    damage: at_the_end('document.querySelector("#verdict-table th button").textContent = ""'),
+    complaint: /no accessible name/,
+  },
+  {
+    name: "a request",
+    damage: (page) => page.replace(/<meta http-equiv[^>]*>/, '<img src="http://127.0.0.1:9/x.png" alt="">'),
+    complaint: /asks for http/,
+  },
+  {
+    name: "sorting that does nothing",
+    damage: at_the_end('document.querySelectorAll("#verdict-table thead").forEach((head) => head.replaceWith(head.cloneNode(true)))'),
+    complaint: /sort/,
+  },
 ];
 
 /// Names of the twins that were not caught.

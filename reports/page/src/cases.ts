@@ -11,19 +11,41 @@ function seconds_text(source: Source, name: string): string {
 
 function tally(source: Source, i: number): string {
   const verdicts = source.results.cases[i].checks.map((check) => check.verdict);
-  return (["pass", "fail", "info"] as const).map((word) => ({ word, n: verdicts.filter((verdict) => verdict === word).length }))
-    .filter(({ n }) => n > 0).map(({ word, n }) => `${n} ${word}`).join(", ") || "no check";
+  return (
+    (["pass", "fail", "info"] as const)
+      .map((word) => ({ word, n: verdicts.filter((verdict) => verdict === word).length }))
+      .filter(({ n }) => n > 0)
+      .map(({ word, n }) => `${n} ${word}`)
+      .join(", ") || "no check"
+  );
 }
 
 export function cases_section(report: Report): HTMLElement {
-  const rows = report.sources.flatMap((source) => source.results.cases.map((owner, i) => {
-    const parameters = Object.entries(owner.parameters ?? {}).map(([key, value]) => `${key} = ${value}`).join(", ");
-    const about = el("span", {}, owner.about ?? "", parameters ? el("small", {}, parameters) : null);
-    return [el("span", { id: case_id(owner) }, owner.name.replace(/_/g, "_\u200b")), words(owner.tier ?? ""), about, tally(source, i),
-      seconds_text(source, owner.name), owner.command ? el("code", { class: "command" }, owner.command) : dash];
-  }));
+  const rows = report.sources.flatMap((source) =>
+    source.results.cases.map((owner, i) => {
+      const parameters = Object.entries(owner.parameters ?? {})
+        .map(([key, value]) => `${key} = ${value}`)
+        .join(", ");
+      const about = el("span", {}, owner.about ?? "", parameters ? el("small", {}, parameters) : null);
+      return [
+        el("span", { id: case_id(owner) }, owner.name.replace(/_/g, "_\u200b")),
+        words(owner.tier ?? ""),
+        about,
+        tally(source, i),
+        seconds_text(source, owner.name),
+        owner.command ? el("code", { class: "command" }, owner.command) : dash,
+      ];
+    }),
+  );
   if (rows.length === 0) return section("cases", "Cases and their commands", missing("results.json holds no case."));
-  const columns = [{ title: "Case" }, { title: "Tier" }, { title: "About" }, { title: "Checks" }, { title: "Time", numeric: true }, { title: "Command" }];
+  const columns = [
+    { title: "Case" },
+    { title: "Tier" },
+    { title: "About" },
+    { title: "Checks" },
+    { title: "Time", numeric: true },
+    { title: "Command" },
+  ];
   const table = plain_table("Each case with the command that repeats it", columns, rows);
   return section("cases", "Cases and their commands", scroll_frame("Cases and their commands", table));
 }
@@ -40,20 +62,34 @@ function provenance_list(source: Source, several: boolean): HTMLElement {
   const heading = several ? el("h3", {}, source.folder) : null;
   const entries = entries_of(source.provenance, "").map(([name, value]): [string, string] => [name.replace(/^versions /, ""), value]);
   if (entries.length === 0) return el("div", {}, heading, missing("No provenance.json in this folder."));
-  return el("div", {}, heading, el("dl", { class: "provenance" }, ...entries.map(([name, value]) => el("div", {}, el("dt", {}, name), el("dd", {}, value)))));
+  return el(
+    "div",
+    {},
+    heading,
+    el("dl", { class: "provenance" }, ...entries.map(([name, value]) => el("div", {}, el("dt", {}, name), el("dd", {}, value)))),
+  );
 }
 
 function solves_table(source: Source): HTMLElement | null {
   const solves = source.timings?.solves ?? [];
   if (solves.length === 0) return null;
   const keys = [...new Set(solves.flatMap((solve) => Object.keys(solve)))];
-  const show = (value: unknown): string => (typeof value === "number" ? number(value, 3) : value === null || value === undefined ? dash : String(value));
+  const show = (value: unknown): string =>
+    typeof value === "number" ? number(value, 3) : value === null || value === undefined ? dash : String(value);
   const columns = keys.map((key) => ({ title: words(key), numeric: solves.every((solve) => typeof solve[key] !== "string") }));
-  const table = plain_table("One line per solve", columns, solves.map((solve) => keys.map((key) => show(solve[key]))));
+  const table = plain_table(
+    "One line per solve",
+    columns,
+    solves.map((solve) => keys.map((key) => show(solve[key]))),
+  );
   return el("details", {}, el("summary", {}, `Solves (${solves.length})`), scroll_frame("Solves", table));
 }
 
 export function provenance_section(report: Report): HTMLElement {
   const several = report.sources.length > 1;
-  return section("provenance", "Provenance", ...report.sources.flatMap((source) => [provenance_list(source, several), solves_table(source)]));
+  return section(
+    "provenance",
+    "Provenance",
+    ...report.sources.flatMap((source) => [provenance_list(source, several), solves_table(source)]),
+  );
 }

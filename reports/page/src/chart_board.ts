@@ -9,7 +9,13 @@ import { el } from "./dom";
 
 echarts.use([LineChart, ScatterChart, GridComponent, LegendComponent, TooltipComponent, SVGRenderer]);
 
-export interface Colours { ink: string; faint: string; rule: string; paper: string; series: string[] }
+export interface Colours {
+  ink: string;
+  faint: string;
+  rule: string;
+  paper: string;
+  series: string[];
+}
 
 export const symbols = ["circle", "triangle", "diamond", "rect"];
 const series_count = 6;
@@ -21,26 +27,40 @@ function read_colours(): Colours {
   return { ink: value("--ink"), faint: value("--faint"), rule: value("--rule"), paper: value("--paper"), series };
 }
 
-export interface LegendItem { series: string[]; text: string; index: number; dashed?: boolean; line?: boolean }
+export interface LegendItem {
+  series: string[];
+  text: string;
+  index: number;
+  dashed?: boolean;
+  line?: boolean;
+}
 
 /// One chart: its legend is HTML (wraps, can be read aloud, switches curves), its option is made for given colours.
 export interface Panel {
   title: string;
-  description: string;          ///< for readers who do not see the chart
+  description: string; ///< for readers who do not see the chart
   legend: LegendItem[];
   option: (colours: Colours) => EChartsCoreOption;
-  notes: string[];              ///< lines of the caption
-  extra?: HTMLElement;          ///< numbers behind the chart
+  notes: string[]; ///< lines of the caption
+  extra?: HTMLElement; ///< numbers behind the chart
 }
 
 function swatch(item: LegendItem): SVGSVGElement {
-  const shapes = ['<circle cx="14" cy="6" r="4"/>', '<path d="M14 1.5 18.5 10h-9z"/>', '<path d="M14 1l5 5-5 5-5-5z"/>', '<path d="M10 2h8v8h-8z"/>'];
+  const shapes = [
+    '<circle cx="14" cy="6" r="4"/>',
+    '<path d="M14 1.5 18.5 10h-9z"/>',
+    '<path d="M14 1l5 5-5 5-5-5z"/>',
+    '<path d="M10 2h8v8h-8z"/>',
+  ];
   const holder = document.createElement("div");
-  const rule = item.dashed || item.line
-    ? `<path d="M0 6h28" fill="none" stroke="currentColor" stroke-width="2"${item.dashed ? ' stroke-dasharray="5 4"' : ""}/>` : "";
+  const rule =
+    item.dashed || item.line
+      ? `<path d="M0 6h28" fill="none" stroke="currentColor" stroke-width="2"${item.dashed ? ' stroke-dasharray="5 4"' : ""}/>`
+      : "";
   const mark = item.dashed || item.index < 0 ? "" : shapes[item.index % shapes.length];
   const colour = item.index < 0 ? "var(--ink)" : `var(--series-${(item.index % series_count) + 1})`;
-  holder.innerHTML = `<svg width="28" height="12" viewBox="0 0 28 12" aria-hidden="true" fill="currentColor" style="color:${colour}">${rule}${mark}</svg>`;
+  const look = `viewBox="0 0 28 12" aria-hidden="true" fill="currentColor" style="color:${colour}"`;
+  holder.innerHTML = `<svg width="28" height="12" ${look}>${rule}${mark}</svg>`;
   return holder.firstElementChild as SVGSVGElement;
 }
 
@@ -90,13 +110,24 @@ export class ChartBoard {
   }
 }
 
-export interface AxisSpec { name: string; min: number; max: number; ticks: number[]; label: (value: number) => string }
+export interface AxisSpec {
+  name: string;
+  min: number;
+  max: number;
+  ticks: number[];
+  label: (value: number) => string;
+}
 
 /// An axis with ticks of our choice, in the page's colours.
 export function axis(spec: AxisSpec, colours: Colours, vertical: boolean): Record<string, unknown> {
   return {
-    type: "value", min: spec.min, max: spec.max, name: spec.name, nameLocation: vertical ? "end" : "middle",
-    nameGap: vertical ? 14 : 30, nameTextStyle: { color: colours.ink, fontSize: 12, align: vertical ? "left" : "center" },
+    type: "value",
+    min: spec.min,
+    max: spec.max,
+    name: spec.name,
+    nameLocation: vertical ? "end" : "middle",
+    nameGap: vertical ? 14 : 30,
+    nameTextStyle: { color: colours.ink, fontSize: 12, align: vertical ? "left" : "center" },
     axisLine: { show: true, onZero: false, lineStyle: { color: colours.faint } },
     axisTick: { show: true, customValues: spec.ticks, lineStyle: { color: colours.faint } },
     axisLabel: { color: colours.ink, fontSize: 12, customValues: spec.ticks, formatter: spec.label, hideOverlap: true },
@@ -111,6 +142,12 @@ export function base_option(colours: Colours): Record<string, unknown> {
     textStyle: { fontFamily: "inherit", color: colours.ink },
     grid: { left: 8, right: 20, top: 34, bottom: 40, outerBoundsMode: "same", outerBoundsContain: "axisLabel" },
     legend: { show: false },
-    tooltip: { trigger: "item", confine: true, backgroundColor: colours.paper, borderColor: colours.faint, textStyle: { color: colours.ink, fontSize: 12 } },
+    tooltip: {
+      trigger: "item",
+      confine: true,
+      backgroundColor: colours.paper,
+      borderColor: colours.faint,
+      textStyle: { color: colours.ink, fontSize: 12 },
+    },
   };
 }

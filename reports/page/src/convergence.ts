@@ -6,8 +6,20 @@ import { el, missing, plain_table, scroll_frame, section } from "./dom";
 import { number, quantity, superscript, unit_text, words } from "./format";
 import { log_ticks, spread } from "./ticks";
 
-interface Point { x: number; y: number; size: number; error: number }
-interface Curve { row: Row; name: string; title: string; points: Point[]; asserted: number | null; index: number }
+interface Point {
+  x: number;
+  y: number;
+  size: number;
+  error: number;
+}
+interface Curve {
+  row: Row;
+  name: string;
+  title: string;
+  points: Point[];
+  asserted: number | null;
+  index: number;
+}
 
 function asserted_order(row: Row): number | null {
   const order = row.check.band?.order_at_least;
@@ -68,8 +80,11 @@ function asserted_text(curve: Curve): string {
 
 function legend_of(curves: Curve[]): LegendItem[] {
   return curves.flatMap((curve) => {
-    const items: LegendItem[] = [{ series: [curve.name], index: curve.index, line: true, text: `${curve.title}: ${observed_text(curve)}, ${asserted_text(curve)}` }];
-    if (has_slope(curve)) items.push({ series: [`slope ${curve.index}`], index: curve.index, dashed: true, text: `asserted slope ${number(curve.asserted)}` });
+    const items: LegendItem[] = [
+      { series: [curve.name], index: curve.index, line: true, text: `${curve.title}: ${observed_text(curve)}, ${asserted_text(curve)}` },
+    ];
+    if (has_slope(curve))
+      items.push({ series: [`slope ${curve.index}`], index: curve.index, dashed: true, text: `asserted slope ${number(curve.asserted)}` });
     return items;
   });
 }
@@ -77,16 +92,40 @@ function legend_of(curves: Curve[]): LegendItem[] {
 function series_of(curve: Curve, drop: number, colours: Colours): Record<string, unknown>[] {
   const colour = colours.series[curve.index % colours.series.length];
   const measured = {
-    type: "line", name: curve.name, data: curve.points.map(({ x, y, size, error }) => [x, y, size, error]), z: 3,
-    symbol: symbols[curve.index % symbols.length], symbolSize: 9, lineStyle: { color: colour, width: 2 }, itemStyle: { color: colour },
+    type: "line",
+    name: curve.name,
+    data: curve.points.map(({ x, y, size, error }) => [x, y, size, error]),
+    z: 3,
+    symbol: symbols[curve.index % symbols.length],
+    symbolSize: 9,
+    lineStyle: { color: colour, width: 2 },
+    itemStyle: { color: colour },
     encode: { x: 0, y: 1 },
   };
   if (!has_slope(curve)) return [measured];
-  const text = { show: true, position: "right", distance: 8, offset: [0, 9], color: colour, fontSize: 12, formatter: `slope ${number(curve.asserted)}`,
-    textBorderColor: colours.paper, textBorderWidth: 3 };
+  const text = {
+    show: true,
+    position: "right",
+    distance: 8,
+    offset: [0, 9],
+    color: colour,
+    fontSize: 12,
+    formatter: `slope ${number(curve.asserted)}`,
+    textBorderColor: colours.paper,
+    textBorderWidth: 3,
+  };
   const data = slope_line(curve, drop).map((value, i) => ({ value, label: i === 1 ? text : { show: false } }));
-  const slope = { type: "line", name: `slope ${curve.index}`, data, symbol: "circle", symbolSize: 0.1, silent: true, z: 2,
-    lineStyle: { color: colour, width: 1.5, type: [6, 4] }, itemStyle: { color: colour } };
+  const slope = {
+    type: "line",
+    name: `slope ${curve.index}`,
+    data,
+    symbol: "circle",
+    symbolSize: 0.1,
+    silent: true,
+    z: 2,
+    lineStyle: { color: colour, width: 1.5, type: [6, 4] },
+    itemStyle: { color: colour },
+  };
   return [slope, measured];
 }
 
@@ -94,7 +133,9 @@ function log_label(value: number): string {
   const power = Math.round(value);
   if (Math.abs(value - power) < 1e-9) return power >= -2 && power <= 3 ? number(10 ** power) : `10${superscript(power)}`;
   const shown = 10 ** value;
-  return shown >= 0.001 && shown < 1e4 ? number(shown, 2) : `${number(10 ** (value - Math.floor(value)), 2)}·10${superscript(Math.floor(value))}`;
+  return shown >= 0.001 && shown < 1e4
+    ? number(shown, 2)
+    : `${number(10 ** (value - Math.floor(value)), 2)}·10${superscript(Math.floor(value))}`;
 }
 
 function option_of(curves: Curve[], unit: string, colours: Colours): Record<string, unknown> {
@@ -107,13 +148,23 @@ function option_of(curves: Curve[], unit: string, colours: Colours): Record<stri
   const margin = Math.max(0.1, 0.08 * (high - low));
   const xs = all.map((point) => point.x);
   const width = Math.max(Math.max(...xs) - Math.min(...xs), 0.3);
-  const x_axis = { name: `size${unit ? ` (${unit_text(unit)})` : ""}`, min: Math.min(...xs) - 0.08 * width, max: Math.max(...xs) + 0.14 * width,
-    ticks: spread(xs, 0.09 * width), label: (value: number) => number(10 ** value, 3) };
+  const x_axis = {
+    name: `size${unit ? ` (${unit_text(unit)})` : ""}`,
+    min: Math.min(...xs) - 0.08 * width,
+    max: Math.max(...xs) + 0.14 * width,
+    ticks: spread(xs, 0.09 * width),
+    label: (value: number) => number(10 ** value, 3),
+  };
   const y_axis = { name: "error", min: low - margin, max: high + margin, ticks: log_ticks(low - margin, high + margin), label: log_label };
   const tooltip = (item: { value: number[] }): string => `size ${quantity(item.value[2], unit, 3)}<br>error ${number(item.value[3], 3)}`;
   const base = base_option(colours);
-  return { ...base, tooltip: { ...(base.tooltip as object), formatter: tooltip }, xAxis: axis(x_axis, colours, false),
-    yAxis: axis(y_axis, colours, true), series: curves.flatMap((curve) => series_of(curve, drop, colours)) };
+  return {
+    ...base,
+    tooltip: { ...(base.tooltip as object), formatter: tooltip },
+    xAxis: axis(x_axis, colours, false),
+    yAxis: axis(y_axis, colours, true),
+    series: curves.flatMap((curve) => series_of(curve, drop, colours)),
+  };
 }
 
 /// The numbers behind the chart; the order between two sizes is ln(e1/e0) / ln(h1/h0).
@@ -126,8 +177,16 @@ function numbers_of(curves: Curve[], unit: string): HTMLElement {
       return [title, quantity(step.size, unit, 3), number(step.particles), number(step.dofs), number(step.error, 3), number(order, 3)];
     });
   });
-  const columns = [{ title: "Curve" }, ...["Size", "Particles", "Dofs", "Error", "Order from the coarser size"].map((title) => ({ title, numeric: true }))];
-  return el("details", {}, el("summary", {}, "Numbers"), scroll_frame("Numbers behind the chart", plain_table("Errors per size", columns, rows)));
+  const columns = [
+    { title: "Curve" },
+    ...["Size", "Particles", "Dofs", "Error", "Order from the coarser size"].map((title) => ({ title, numeric: true })),
+  ];
+  return el(
+    "details",
+    {},
+    el("summary", {}, "Numbers"),
+    scroll_frame("Numbers behind the chart", plain_table("Errors per size", columns, rows)),
+  );
 }
 
 function panel_of(rows: Row[]): Panel {
@@ -137,7 +196,10 @@ function panel_of(rows: Row[]): Panel {
   const about = [words(check.quantity), check.component ?? "", check.place ?? ""].filter(Boolean).join(", ");
   const legend = legend_of(curves);
   return {
-    title: `${words(owner.name)}: ${about}`, legend, notes: [], extra: numbers_of(curves, unit),
+    title: `${words(owner.name)}: ${about}`,
+    legend,
+    notes: [],
+    extra: numbers_of(curves, unit),
     description: `Error against size, logarithmic axes. ${legend.map((item) => item.text).join("; ")}`,
     option: (colours) => option_of(curves, unit, colours),
   };
@@ -153,8 +215,9 @@ export function convergence_section(report: Report, board: ChartBoard): HTMLElem
   const drawn = report.rows.filter(can_be_drawn);
   if (drawn.length === 0) return section("convergence", title, missing("No check of these results has errors on two sizes or more."));
   const others = report.rows.length - drawn.length;
-  const lead = "Error against size on logarithmic axes. Dashed: the slope that the check asserts."
-    + (others > 0 ? ` ${others} of the ${report.rows.length} checks have no errors above zero on two sizes and are not drawn.` : "");
+  const lead =
+    "Error against size on logarithmic axes. Dashed: the slope that the check asserts." +
+    (others > 0 ? ` ${others} of the ${report.rows.length} checks have no errors above zero on two sizes and are not drawn.` : "");
   const figures = groups_of(drawn).map((rows) => board.figure(panel_of(rows)));
   return section("convergence", title, el("p", {}, lead), el("div", { class: "panels" }, ...figures));
 }

@@ -2,27 +2,76 @@
 
 export type Verdict = "pass" | "fail" | "info";
 
-export interface LadderStep { size: number; error?: number | null; particles?: number | null; dofs?: number | null }
-export interface ArtifactRef { file: string; title?: string; x?: string; y?: string }
-export interface Resolution { size?: number | null; unit?: string; particles?: number | null; dofs?: number | null }
+export interface LadderStep {
+  size: number;
+  error?: number | null;
+  particles?: number | null;
+  dofs?: number | null;
+}
+export interface ArtifactRef {
+  file: string;
+  title?: string;
+  x?: string;
+  y?: string;
+}
+export interface Resolution {
+  size?: number | null;
+  unit?: string;
+  particles?: number | null;
+  dofs?: number | null;
+}
 
 export interface Check {
-  case?: string; tier?: string; quantity: string; component?: string | null; unit?: string | null; place?: string | null;
-  solver: string; resolution?: Resolution | null; value?: number | null; reference?: number | null;
-  reference_source?: string | null; error?: number | null; error_kind?: string | null;
-  band?: Record<string, unknown> | null; basis?: string | null; order?: number | null; must_fail?: boolean | null;
-  verdict: Verdict; artifacts?: ArtifactRef[] | null; ladder?: LadderStep[] | null;
+  case?: string;
+  tier?: string;
+  quantity: string;
+  component?: string | null;
+  unit?: string | null;
+  place?: string | null;
+  solver: string;
+  resolution?: Resolution | null;
+  value?: number | null;
+  reference?: number | null;
+  reference_source?: string | null;
+  error?: number | null;
+  error_kind?: string | null;
+  band?: Record<string, unknown> | null;
+  basis?: string | null;
+  order?: number | null;
+  must_fail?: boolean | null;
+  verdict: Verdict;
+  artifacts?: ArtifactRef[] | null;
+  ladder?: LadderStep[] | null;
 }
 
 export interface Case {
-  name: string; tier?: string; about?: string; parameters?: Record<string, unknown>; command?: string;
-  verdict?: string; checks: Check[];
+  name: string;
+  tier?: string;
+  about?: string;
+  parameters?: Record<string, unknown>;
+  command?: string;
+  verdict?: string;
+  checks: Check[];
 }
 
-export interface ArtifactTable { columns?: string[]; rows?: (number | null)[][]; total?: number; note?: string }
+export interface ArtifactTable {
+  columns?: string[];
+  rows?: (number | null)[][];
+  total?: number;
+  note?: string;
+}
 
-export interface Benchmark { name: string; run_type?: string; aggregate_name?: string; time_unit?: string; [key: string]: unknown }
-export interface Bench { context?: Record<string, unknown>; benchmarks?: Benchmark[] }
+export interface Benchmark {
+  name: string;
+  run_type?: string;
+  aggregate_name?: string;
+  time_unit?: string;
+  [key: string]: unknown;
+}
+export interface Bench {
+  context?: Record<string, unknown>;
+  benchmarks?: Benchmark[];
+}
 
 export interface Source {
   folder: string;
@@ -34,9 +83,18 @@ export interface Source {
 }
 
 /// One check with the case and the folder it comes from.
-export interface Row { check: Check; owner: Case; source: Source; tier: string; index: number }
+export interface Row {
+  check: Check;
+  owner: Case;
+  source: Source;
+  tier: string;
+  index: number;
+}
 
-export interface Report { sources: Source[]; rows: Row[] }
+export interface Report {
+  sources: Source[];
+  rows: Row[];
+}
 
 export function read_report(): Report {
   const text = document.getElementById("report-data")?.textContent ?? "";
@@ -57,7 +115,9 @@ export function count(rows: Row[], verdict: Verdict): number {
 }
 
 export function case_id(owner: Case): string {
-  const parameters = Object.entries(owner.parameters ?? {}).map(([key, value]) => `${key}-${value}`).join("-");
+  const parameters = Object.entries(owner.parameters ?? {})
+    .map(([key, value]) => `${key}-${value}`)
+    .join("-");
   return `case-${owner.name}-${parameters}`.replace(/[^\w-]+/g, "_");
 }
 

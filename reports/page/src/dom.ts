@@ -3,7 +3,9 @@
 type Child = Node | string | null;
 
 export function el<K extends keyof HTMLElementTagNameMap>(
-  tag: K, attributes: Record<string, string> = {}, ...children: Child[]
+  tag: K,
+  attributes: Record<string, string> = {},
+  ...children: Child[]
 ): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
@@ -25,12 +27,16 @@ export function scroll_frame(label: string, table: HTMLTableElement): HTMLElemen
   return el("div", { class: "scroll", role: "region", tabindex: "0", "aria-label": label }, table);
 }
 
-export interface PlainColumn { title: string; numeric?: boolean }
+export interface PlainColumn {
+  title: string;
+  numeric?: boolean;
+}
 
 export function plain_table(caption: string, columns: PlainColumn[], rows: (string | Node)[][]): HTMLTableElement {
   const kind = (i: number): Record<string, string> => (columns[i].numeric ? { class: "number" } : {});
   const head = el("tr", {}, ...columns.map((column, i) => el("th", { scope: "col", ...kind(i) }, column.title)));
-  const lines = rows.map((cells) => el("tr", {}, ...cells.map((cell, i) =>
-    i === 0 ? el("th", { scope: "row" }, cell) : el("td", kind(i), cell))));
+  const lines = rows.map((cells) =>
+    el("tr", {}, ...cells.map((cell, i) => (i === 0 ? el("th", { scope: "row" }, cell) : el("td", kind(i), cell)))),
+  );
   return el("table", {}, el("caption", {}, caption), el("thead", {}, head), el("tbody", {}, ...lines));
 }

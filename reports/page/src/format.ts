@@ -1,15 +1,28 @@
 // Numbers as a careful typesetter writes them: minus signs, thin spaces, SI prefixes, powers of ten.
 
 const narrow = "\u202f";
-const hard = "\u00a0";  // a space that no line break takes
+const hard = "\u00a0"; // a space that no line break takes
 const superscripts: Record<string, string> = {
-  "-": "⁻", "0": "⁰", "1": "¹", "2": "²", "3": "³", "4": "⁴", "5": "⁵", "6": "⁶", "7": "⁷", "8": "⁸", "9": "⁹",
+  "-": "⁻",
+  "0": "⁰",
+  "1": "¹",
+  "2": "²",
+  "3": "³",
+  "4": "⁴",
+  "5": "⁵",
+  "6": "⁶",
+  "7": "⁷",
+  "8": "⁸",
+  "9": "⁹",
 };
 
 export const dash = "–";
 
 export function superscript(power: number): string {
-  return String(power).split("").map((digit) => superscripts[digit] ?? digit).join("");
+  return String(power)
+    .split("")
+    .map((digit) => superscripts[digit] ?? digit)
+    .join("");
 }
 
 function grouped(digits: string): string {
@@ -52,7 +65,14 @@ export function unit_text(unit: string): string {
 }
 
 const prefixes: [number, string][] = [
-  [1e12, "T"], [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"],
+  [1e12, "T"],
+  [1e9, "G"],
+  [1e6, "M"],
+  [1e3, "k"],
+  [1, ""],
+  [1e-3, "m"],
+  [1e-6, "µ"],
+  [1e-9, "n"],
 ];
 
 /// The leading unit takes a prefix only where it stands to the first power: mm² is not a thousandth of m².
@@ -88,15 +108,17 @@ function as_text(value: unknown): string {
 /// The acceptance interval in words. `unit` belongs to absolute bands.
 export function band_text(band: Record<string, unknown> | null | undefined, unit: string | null | undefined): string {
   if (!band) return dash;
-  return Object.entries(band).map(([key, value]) => {
-    const amount = typeof value === "number" ? value : null;
-    if (key === "relative" && amount !== null) return `≤${hard}${percent(amount)}`;
-    if (key === "absolute" && amount !== null) return `≤${hard}${quantity(amount, unit)}`;
-    if (key === "order_at_least") return `order ≥${hard}${as_text(value)}`;
-    if (key === "angle") return `≤${hard}${amount === null ? as_text(value) : quantity(amount, "rad")}`;
-    if (key === "where") return `where ${as_text(value)}`;
-    return `${words(key)} ${as_text(value)}`;
-  }).join(", ");
+  return Object.entries(band)
+    .map(([key, value]) => {
+      const amount = typeof value === "number" ? value : null;
+      if (key === "relative" && amount !== null) return `≤${hard}${percent(amount)}`;
+      if (key === "absolute" && amount !== null) return `≤${hard}${quantity(amount, unit)}`;
+      if (key === "order_at_least") return `order ≥${hard}${as_text(value)}`;
+      if (key === "angle") return `≤${hard}${amount === null ? as_text(value) : quantity(amount, "rad")}`;
+      if (key === "where") return `where ${as_text(value)}`;
+      return `${words(key)} ${as_text(value)}`;
+    })
+    .join(", ");
 }
 
 export function error_text(error: number | null | undefined, kind: string | null | undefined, unit: string | null | undefined): string {

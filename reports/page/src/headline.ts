@@ -3,7 +3,12 @@ import { el } from "./dom";
 import { dash, number, percent, words } from "./format";
 import { per_added, scenarios } from "./subdivision";
 
-interface Figure { label: string; value: string; detail: string; state?: string }
+interface Figure {
+  label: string;
+  value: string;
+  detail: string;
+  state?: string;
+}
 
 function checks_figure({ rows }: Report): Figure {
   const pass = count(rows, "pass");
@@ -17,11 +22,20 @@ function checks_figure({ rows }: Report): Figure {
 
 /// Judged, particles, stress, against the FEM: the row with the largest relative error.
 function worst_stress(rows: Row[]): Row | undefined {
-  const judged = rows.filter(({ check }) => check.quantity === "stress" && check.solver.startsWith("sph") && !check.must_fail
-    && check.verdict !== "info" && check.error_kind === "relative" && typeof check.error === "number");
+  const judged = rows.filter(
+    ({ check }) =>
+      check.quantity === "stress" &&
+      check.solver.startsWith("sph") &&
+      !check.must_fail &&
+      check.verdict !== "info" &&
+      check.error_kind === "relative" &&
+      typeof check.error === "number",
+  );
   const against_fem = judged.filter(is_reference_by_fem);
-  return against_fem.reduce<Row | undefined>((worst, row) =>
-    !worst || (row.check.error ?? 0) > (worst.check.error ?? 0) ? row : worst, undefined);
+  return against_fem.reduce<Row | undefined>(
+    (worst, row) => (!worst || (row.check.error ?? 0) > (worst.check.error ?? 0) ? row : worst),
+    undefined,
+  );
 }
 
 function stress_figure({ rows }: Report): Figure {
@@ -42,7 +56,17 @@ function subdivision_figure(report: Report): Figure {
 
 export function headline(report: Report): HTMLElement {
   const figures = [checks_figure(report), stress_figure(report), subdivision_figure(report)];
-  return el("dl", { class: "headline", "aria-label": "Headline numbers" }, ...figures.map((figure) =>
-    el("div", figure.state ? { class: figure.state } : {},
-      el("dt", {}, figure.label), el("dd", { class: "figure" }, figure.value), el("dd", {}, figure.detail))));
+  return el(
+    "dl",
+    { class: "headline", "aria-label": "Headline numbers" },
+    ...figures.map((figure) =>
+      el(
+        "div",
+        figure.state ? { class: figure.state } : {},
+        el("dt", {}, figure.label),
+        el("dd", { class: "figure" }, figure.value),
+        el("dd", {}, figure.detail),
+      ),
+    ),
+  );
 }

@@ -23,7 +23,13 @@ function origin({ sources }: Report): string {
 
 function header(report: Report): HTMLElement {
   const lead = "Brittle fracture of anisotropic solids by smoothed particles, checked against mathematics and a finite-element reference.";
-  return el("header", {}, el("h1", {}, "Cleave cross-check"), el("p", { class: "lead" }, lead), el("p", { class: "origin" }, origin(report)));
+  return el(
+    "header",
+    {},
+    el("h1", {}, "Cleave cross-check"),
+    el("p", { class: "lead" }, lead),
+    el("p", { class: "origin" }, origin(report)),
+  );
 }
 
 function navigation(sections: HTMLElement[]): HTMLElement {
@@ -34,12 +40,29 @@ function navigation(sections: HTMLElement[]): HTMLElement {
 function build(report: Report): void {
   const board = new ChartBoard();
   const missed = missed_section(report);
-  const sections = [...(missed ? [missed] : []), verdict_section(report), convergence_section(report, board), samples_section(report, board),
-    subdivision_section(report), cases_section(report), provenance_section(report)];
-  const footer = el("footer", {}, "Written by cleave-report from the results alone; it judges nothing. "
-    + "Charts: Apache ECharts (Apache-2.0) and ZRender (BSD-3-Clause).");
-  document.getElementById("page")?.append(el("a", { class: "skip", href: "#verdicts" }, "Skip to the verdicts"),
-    header(report), el("main", {}, headline(report), navigation(sections), ...sections), footer);
+  const sections = [
+    ...(missed ? [missed] : []),
+    verdict_section(report),
+    convergence_section(report, board),
+    samples_section(report, board),
+    subdivision_section(report),
+    cases_section(report),
+    provenance_section(report),
+  ];
+  const footer = el(
+    "footer",
+    {},
+    "Written by cleave-report from the results alone; it judges nothing. " +
+      "Charts: Apache ECharts (Apache-2.0) and ZRender (BSD-3-Clause).",
+  );
+  document
+    .getElementById("page")
+    ?.append(
+      el("a", { class: "skip", href: "#verdicts" }, "Skip to the verdicts"),
+      header(report),
+      el("main", {}, headline(report), navigation(sections), ...sections),
+      footer,
+    );
   board.draw();
 }
 

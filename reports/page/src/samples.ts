@@ -6,8 +6,16 @@ import { missing, el, section } from "./dom";
 import { number, words } from "./format";
 import { linear_ticks } from "./ticks";
 
-interface Sample { row: Row; artifact: ArtifactRef; table: ArtifactTable }
-interface Curve { name: string; index: number; data: [number, number][] }
+interface Sample {
+  row: Row;
+  artifact: ArtifactRef;
+  table: ArtifactTable;
+}
+interface Curve {
+  name: string;
+  index: number;
+  data: [number, number][];
+}
 
 /// Each file once, however many checks name it.
 function samples_of(report: Report): Sample[] {
@@ -15,7 +23,8 @@ function samples_of(report: Report): Sample[] {
   for (const row of report.rows) {
     for (const artifact of row.check.artifacts ?? []) {
       const key = `${row.source.folder}|${artifact.file}`;
-      if (artifact.file.endsWith(".csv") && !found.has(key)) found.set(key, { row, artifact, table: row.source.artifacts[artifact.file] ?? {} });
+      if (artifact.file.endsWith(".csv") && !found.has(key))
+        found.set(key, { row, artifact, table: row.source.artifacts[artifact.file] ?? {} });
     }
   }
   return [...found.values()];
@@ -24,31 +33,51 @@ function samples_of(report: Report): Sample[] {
 function curves_of(table: ArtifactTable): Curve[] {
   const [, ...names] = table.columns ?? [];
   let marks = 0;
-  return names.map((name, i) => {
-    const data: [number, number][] = [];
-    for (const row of table.rows ?? []) {
-      const x = row[0];
-      const y = row[i + 1];
-      if (x !== null && y !== null && y !== undefined) data.push([x, y]);
-    }
-    const is_line = name === "reference";
-    if (is_line) data.sort((a, b) => a[0] - b[0]);
-    return { name, index: is_line ? -1 : marks++, data };
-  }).filter((curve) => curve.data.length > 0);
+  return names
+    .map((name, i) => {
+      const data: [number, number][] = [];
+      for (const row of table.rows ?? []) {
+        const x = row[0];
+        const y = row[i + 1];
+        if (x !== null && y !== null && y !== undefined) data.push([x, y]);
+      }
+      const is_line = name === "reference";
+      if (is_line) data.sort((a, b) => a[0] - b[0]);
+      return { name, index: is_line ? -1 : marks++, data };
+    })
+    .filter((curve) => curve.data.length > 0);
 }
 
 function series_of(curve: Curve, colours: Colours): Record<string, unknown> {
   if (curve.index < 0) {
-    return { type: "line", name: curve.name, data: curve.data, showSymbol: false, symbol: "none", z: 2, lineStyle: { color: colours.ink, width: 1.5 },
-      itemStyle: { color: colours.ink } };
+    return {
+      type: "line",
+      name: curve.name,
+      data: curve.data,
+      showSymbol: false,
+      symbol: "none",
+      z: 2,
+      lineStyle: { color: colours.ink, width: 1.5 },
+      itemStyle: { color: colours.ink },
+    };
   }
   const colour = colours.series[curve.index % colours.series.length];
   const size = curve.data.length > 400 ? 3 : curve.data.length > 80 ? 5 : 7;
-  return { type: "scatter", name: curve.name, data: curve.data, z: 3, symbol: symbols[curve.index % symbols.length], symbolSize: size,
-    itemStyle: { color: colour, opacity: 0.85 } };
+  return {
+    type: "scatter",
+    name: curve.name,
+    data: curve.data,
+    z: 3,
+    symbol: symbols[curve.index % symbols.length],
+    symbolSize: size,
+    itemStyle: { color: colour, opacity: 0.85 },
+  };
 }
 
-function covering(values: number[], name: string): { name: string; min: number; max: number; ticks: number[]; label: (value: number) => string } {
+function covering(
+  values: number[],
+  name: string,
+): { name: string; min: number; max: number; ticks: number[]; label: (value: number) => string } {
   const low = values.reduce((a, b) => Math.min(a, b), Infinity);
   const high = values.reduce((a, b) => Math.max(a, b), -Infinity);
   const ticks = linear_ticks(low, high);
@@ -60,9 +89,27 @@ function option_of(curves: Curve[], x_name: string, y_name: string, colours: Col
   const base = base_option(colours);
   const tooltip = (item: { seriesName: string; value: number[] }): string =>
     `${item.seriesName.replace(/[<&]/g, "")}<br>${number(item.value[0], 4)}, ${number(item.value[1], 4)}`;
-  return { ...base, tooltip: { ...(base.tooltip as object), formatter: tooltip },
-    xAxis: axis(covering(points.map(([x]) => x), x_name), colours, false), yAxis: axis(covering(points.map(([, y]) => y), y_name), colours, true),
-    series: curves.map((curve) => series_of(curve, colours)) };
+  return {
+    ...base,
+    tooltip: { ...(base.tooltip as object), formatter: tooltip },
+    xAxis: axis(
+      covering(
+        points.map(([x]) => x),
+        x_name,
+      ),
+      colours,
+      false,
+    ),
+    yAxis: axis(
+      covering(
+        points.map(([, y]) => y),
+        y_name,
+      ),
+      colours,
+      true,
+    ),
+    series: curves.map((curve) => series_of(curve, colours)),
+  };
 }
 
 function panel_of({ row, artifact, table }: Sample): Panel | null {
@@ -75,8 +122,13 @@ function panel_of({ row, artifact, table }: Sample): Panel | null {
   const kept = table.rows?.length ?? 0;
   const notes = table.total && table.total > kept ? [`${number(kept)} of ${number(table.total)} rows drawn, evenly chosen.`] : [];
   notes.push(`Data: ${artifact.file}`);
-  return { title, legend, notes, description: `${title}. ${y_name} against ${x_name}: ${curves.map((curve) => curve.name).join(", ")}`,
-    option: (colours) => option_of(curves, x_name, y_name, colours) };
+  return {
+    title,
+    legend,
+    notes,
+    description: `${title}. ${y_name} against ${x_name}: ${curves.map((curve) => curve.name).join(", ")}`,
+    option: (colours) => option_of(curves, x_name, y_name, colours),
+  };
 }
 
 function why_not_drawn({ row, artifact, table }: Sample): HTMLElement {

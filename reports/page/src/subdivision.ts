@@ -5,8 +5,15 @@ import { el, missing, plain_table, scroll_frame, section } from "./dom";
 import { dash, number, words } from "./format";
 
 export interface Scenario {
-  title: string; machine: string; before: number | null; after: number | null; milliseconds: number | null;
-  milliseconds_per_added: number | null; paper_milliseconds: number | null; paper_per_added: number | null; paper_after: number | null;
+  title: string;
+  machine: string;
+  before: number | null;
+  after: number | null;
+  milliseconds: number | null;
+  milliseconds_per_added: number | null;
+  paper_milliseconds: number | null;
+  paper_per_added: number | null;
+  paper_after: number | null;
 }
 
 function counter(row: Benchmark, name: string): number | null {
@@ -28,10 +35,15 @@ function representative(rows: Benchmark[]): Benchmark {
 function scenario(name: string, rows: Benchmark[], bench: Bench): Scenario {
   const row = representative(rows);
   return {
-    title: words(name).replace(/^./, (letter) => letter.toUpperCase()), machine: machine_of(bench),
-    before: counter(row, "particles_before"), after: counter(row, "particles_after"), milliseconds: counter(row, "milliseconds"),
-    milliseconds_per_added: counter(row, "milliseconds_per_added"), paper_milliseconds: counter(row, "paper_milliseconds"),
-    paper_per_added: counter(row, "paper_milliseconds_per_added"), paper_after: counter(row, "paper_particles_after"),
+    title: words(name).replace(/^./, (letter) => letter.toUpperCase()),
+    machine: machine_of(bench),
+    before: counter(row, "particles_before"),
+    after: counter(row, "particles_after"),
+    milliseconds: counter(row, "milliseconds"),
+    milliseconds_per_added: counter(row, "milliseconds_per_added"),
+    paper_milliseconds: counter(row, "paper_milliseconds"),
+    paper_per_added: counter(row, "paper_milliseconds_per_added"),
+    paper_after: counter(row, "paper_particles_after"),
   };
 }
 
@@ -53,15 +65,27 @@ export function per_added(row: Scenario): number | null {
 }
 
 const columns = [
-  { title: "Scenario" }, { title: "Particles before", numeric: true }, { title: "after", numeric: true },
-  { title: "Subdivision (ms)", numeric: true }, { title: "ms per added particle", numeric: true },
-  { title: "Paper: particles after", numeric: true }, { title: "Paper: subdivision (ms)", numeric: true },
+  { title: "Scenario" },
+  { title: "Particles before", numeric: true },
+  { title: "after", numeric: true },
+  { title: "Subdivision (ms)", numeric: true },
+  { title: "ms per added particle", numeric: true },
+  { title: "Paper: particles after", numeric: true },
+  { title: "Paper: subdivision (ms)", numeric: true },
   { title: "Paper: ms per added particle", numeric: true },
 ];
 
 function cells(row: Scenario): string[] {
-  return [row.title, number(row.before), number(row.after), number(row.milliseconds, 3), number(per_added(row), 3),
-    number(row.paper_after), number(row.paper_milliseconds), number(row.paper_per_added, 3)];
+  return [
+    row.title,
+    number(row.before),
+    number(row.after),
+    number(row.milliseconds, 3),
+    number(per_added(row), 3),
+    number(row.paper_after),
+    number(row.paper_milliseconds),
+    number(row.paper_per_added, 3),
+  ];
 }
 
 function other_benchmarks(report: Report): HTMLElement | null {
@@ -79,7 +103,9 @@ export function subdivision_section(report: Report): HTMLElement {
   const rows = scenarios(report);
   const title = "Subdivision beside the paper’s Table 2";
   if (rows.length === 0) {
-    const why = report.sources.some(({ bench }) => bench) ? "bench.json has no row of Table 2." : "No bench.json in these results: run cleave bench.";
+    const why = report.sources.some(({ bench }) => bench)
+      ? "bench.json has no row of Table 2."
+      : "No bench.json in these results: run cleave bench.";
     return section("subdivision", title, missing(why), other_benchmarks(report));
   }
   const machines = [...new Set(rows.map((row) => row.machine))].join("; ");

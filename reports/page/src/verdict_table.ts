@@ -3,7 +3,9 @@ import { el, missing, scroll_frame, section } from "./dom";
 import { band_text, dash, error_text, number, quantity, words } from "./format";
 
 interface Column {
-  key: string; title: string; numeric?: boolean;
+  key: string;
+  title: string;
+  numeric?: boolean;
   sort: (row: Row) => string | number | null;
   cell: (row: Row) => Node | string;
 }
@@ -11,9 +13,15 @@ interface Column {
 const marks = { pass: "✓", fail: "✗", info: "·" };
 
 function verdict_cell({ check }: Row): Node {
-  const cell = el("span", { class: `mark ${check.verdict}` }, el("span", { "aria-hidden": "true" }, marks[check.verdict]), ` ${check.verdict}`);
+  const cell = el(
+    "span",
+    { class: `mark ${check.verdict}` },
+    el("span", { "aria-hidden": "true" }, marks[check.verdict]),
+    ` ${check.verdict}`,
+  );
   if (!check.must_fail) return cell;
-  const why = check.verdict === "pass" ? "Must-fail twin: the wrong reference was caught" : "Must-fail twin: the wrong reference was NOT caught";
+  const why =
+    check.verdict === "pass" ? "Must-fail twin: the wrong reference was caught" : "Must-fail twin: the wrong reference was NOT caught";
   return el("span", {}, cell, " ", el("abbr", { class: "twin", title: why }, "must-fail twin"));
 }
 
@@ -23,7 +31,9 @@ function lines(first: Node | string, ...others: string[]): Node {
 }
 
 function parameters_text(row: Row): string {
-  return Object.entries(row.owner.parameters ?? {}).map(([key, value]) => `${key.split(".").pop()} = ${value}`).join(", ");
+  return Object.entries(row.owner.parameters ?? {})
+    .map(([key, value]) => `${key.split(".").pop()} = ${value}`)
+    .join(", ");
 }
 
 function case_cell(row: Row): Node {
@@ -33,7 +43,7 @@ function case_cell(row: Row): Node {
 
 function resolution_cell({ check }: Row): Node {
   const { size, unit, particles, dofs } = check.resolution ?? {};
-  const cells = check.solver.startsWith("fem") ? "tets" : "particles";  // a particle is a tet of the same mesh
+  const cells = check.solver.startsWith("fem") ? "tets" : "particles"; // a particle is a tet of the same mesh
   const counts = [];
   if (typeof particles === "number") counts.push(`${number(particles)} ${cells}`);
   if (typeof dofs === "number") counts.push(`${number(dofs)} dofs`);
@@ -58,11 +68,27 @@ function band_cell({ check }: Row): string {
 const columns: Column[] = [
   { key: "verdict", title: "Verdict", sort: ({ check }) => ["fail", "info", "pass"].indexOf(check.verdict), cell: verdict_cell },
   { key: "case", title: "Case", sort: (row) => row.owner.name, cell: case_cell },
-  { key: "quantity", title: "Quantity", sort: ({ check }) => check.quantity, cell: ({ check }) => lines(words(check.quantity), check.component ?? "") },
+  {
+    key: "quantity",
+    title: "Quantity",
+    sort: ({ check }) => check.quantity,
+    cell: ({ check }) => lines(words(check.quantity), check.component ?? ""),
+  },
   { key: "place", title: "Place", sort: ({ check }) => check.place ?? "", cell: ({ check }) => check.place || dash },
-  { key: "solver", title: "Solver", sort: ({ check }) => check.solver, cell: ({ check }) => el("code", {}, check.solver.replace(".", ".\u200b")) },
+  {
+    key: "solver",
+    title: "Solver",
+    sort: ({ check }) => check.solver,
+    cell: ({ check }) => el("code", {}, check.solver.replace(".", ".\u200b")),
+  },
   { key: "resolution", title: "Resolution", numeric: true, sort: ({ check }) => check.resolution?.size ?? null, cell: resolution_cell },
-  { key: "value", title: "Value", numeric: true, sort: ({ check }) => check.value ?? null, cell: ({ check }) => quantity(check.value, check.unit) },
+  {
+    key: "value",
+    title: "Value",
+    numeric: true,
+    sort: ({ check }) => check.value ?? null,
+    cell: ({ check }) => quantity(check.value, check.unit),
+  },
   { key: "reference", title: "Reference", numeric: true, sort: ({ check }) => check.reference ?? null, cell: reference_cell },
   { key: "error", title: "Error", numeric: true, sort: ({ check }) => check.error ?? null, cell: error_cell },
   { key: "band", title: "Band", sort: (row) => band_cell(row), cell: band_cell },
@@ -71,14 +97,30 @@ const columns: Column[] = [
 
 function searchable(row: Row): string {
   const { check, owner } = row;
-  return [owner.name, owner.about, row.tier, check.quantity, check.component, check.place, check.solver, check.reference_source, check.basis,
-    check.must_fail ? "must-fail twin" : "", parameters_text(row)].filter(Boolean).join(" ").toLowerCase();
+  return [
+    owner.name,
+    owner.about,
+    row.tier,
+    check.quantity,
+    check.component,
+    check.place,
+    check.solver,
+    check.reference_source,
+    check.basis,
+    check.must_fail ? "must-fail twin" : "",
+    parameters_text(row),
+  ]
+    .filter(Boolean)
+    .join(" ")
+    .toLowerCase();
 }
 
 function table_line(row: Row): HTMLTableRowElement {
-  const cells = columns.map((column) => column.key === "case"
-    ? el("th", { scope: "row" }, column.cell(row))
-    : el("td", { class: `${column.key}${column.numeric ? " number" : ""}` }, column.cell(row)));
+  const cells = columns.map((column) =>
+    column.key === "case"
+      ? el("th", { scope: "row" }, column.cell(row))
+      : el("td", { class: `${column.key}${column.numeric ? " number" : ""}` }, column.cell(row)),
+  );
   return el("tr", { "data-row": String(row.index), class: row.check.verdict }, ...cells);
 }
 
@@ -93,15 +135,39 @@ function csv_cell(value: unknown): string {
   return /[",\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
 }
 
-const csv_keys = ["quantity", "component", "unit", "place", "solver", "value", "reference", "reference_source", "error", "error_kind", "band",
-  "basis", "order", "must_fail", "verdict"] as const;
+const csv_keys = [
+  "quantity",
+  "component",
+  "unit",
+  "place",
+  "solver",
+  "value",
+  "reference",
+  "reference_source",
+  "error",
+  "error_kind",
+  "band",
+  "basis",
+  "order",
+  "must_fail",
+  "verdict",
+] as const;
 
 function csv(rows: Row[]): string {
   const head = ["case", "tier", ...csv_keys.slice(0, 5), "size", "size_unit", "particles", "dofs", ...csv_keys.slice(5), "command"];
   const line = ({ check, owner, tier }: Row): unknown[] => {
     const { size, unit, particles, dofs } = check.resolution ?? {};
-    return [owner.name, tier, ...csv_keys.slice(0, 5).map((key) => check[key]), size, unit, particles, dofs,
-      ...csv_keys.slice(5).map((key) => check[key]), owner.command];
+    return [
+      owner.name,
+      tier,
+      ...csv_keys.slice(0, 5).map((key) => check[key]),
+      size,
+      unit,
+      particles,
+      dofs,
+      ...csv_keys.slice(5).map((key) => check[key]),
+      owner.command,
+    ];
   };
   return [head, ...rows.map(line)].map((cells) => cells.map(csv_cell).join(",")).join("\n") + "\n";
 }
@@ -195,7 +261,9 @@ export function verdict_section({ rows }: Report): HTMLElement {
 
 function missed_text(row: Row): string {
   const { check } = row;
-  const what = [`${words(check.quantity)}${check.component ? ` ${check.component}` : ""} by ${check.solver}`, check.place].filter(Boolean).join(", ");
+  const what = [`${words(check.quantity)}${check.component ? ` ${check.component}` : ""} by ${check.solver}`, check.place]
+    .filter(Boolean)
+    .join(", ");
   if (check.must_fail) return `${what}: the wrong reference was not caught.`;
   const measured = [
     typeof check.value === "number" ? quantity(check.value, check.unit) : "",

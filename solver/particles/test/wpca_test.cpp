@@ -81,6 +81,15 @@ TEST(Wpca, KeepsTheVolumeOfTheSupport) {
     EXPECT_LT(report.isotropic, particles.size() / 50);
 }
 
+/// Two particles, volumes 1 and 2, one spacing apart, window 2: weights 1 and 2 (1 - 1/8) = 7/4, mean 7/11, variance 7/11 * 4/11.
+TEST(Wpca, CovarianceByHand) {
+    const Particles particles = from_points({{5, 5, 5}, {5, 6, 5}, {5, 7.01, 5}}, {1, 2, 9}, 1);
+    const LocalShape shape = local_shape(particles, CellGrid(particles.position, 1), 0, 2);
+    EXPECT_NEAR(shape.variances(0), 28.0 / 121, 1e-15);
+    EXPECT_NEAR(shape.variances(1), 0, 1e-15);
+    EXPECT_NEAR(std::abs(shape.axes(1, 0)), 1, 1e-15);
+}
+
 TEST(Wpca, RelativeAxes) {
     WpcaOptions options;
     const Vector3d axes = relative_axes({16, 4, 1}, options);

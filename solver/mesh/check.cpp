@@ -84,10 +84,12 @@ private:
             const int first = faces[i - 1].half_face, second = faces[i].half_face;
             if (i >= 2 && faces[i - 2].vertices == faces[i].vertices) {
                 fail(fmt::format("tet {}", second / 4 + 1),
-                     fmt::format("at most two tets at a face (tets {} and {} share it already)", faces[i - 2].half_face / 4 + 1, first / 4 + 1));
+                     fmt::format("at most two tets at a face (tets {} and {} share it already)", faces[i - 2].half_face / 4 + 1,
+                                 first / 4 + 1));
             }
             if (is_even(first) == is_even(second)) {
-                fail(fmt::format("tet {}", second / 4 + 1), fmt::format("no overlap (tet {} lies on the same side of their face)", first / 4 + 1));
+                fail(fmt::format("tet {}", second / 4 + 1),
+                     fmt::format("no overlap (tet {} lies on the same side of their face)", first / 4 + 1));
             }
         }
     }

@@ -113,7 +113,8 @@ TEST(MshFile, ReadsFormat2) { expect_two_tets(parse_msh(msh_2, "a.msh")); }
 TEST(MshFile, ReadsFormat4) { expect_two_tets(parse_msh(msh_4, "a.msh")); }
 
 TEST(MshFile, ReadsWindowsLineEndsAndSkipsOtherSections) {
-    std::string text = replaced(msh_4, "$Nodes", "$Comments\nanything $ at all\n$EndComments\n$Nodes") + "$NodeData\n1\n\"a\"\n$EndNodeData\n";
+    std::string text = replaced(msh_4, "$Nodes", "$Comments\nanything $ at all\n$EndComments\n$Nodes");
+    text += "$NodeData\n1\n\"a\"\n$EndNodeData\n";
     for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.replace(at, 1, "\r\n");
     expect_two_tets(parse_msh(text, "a.msh"));
 }
@@ -174,7 +175,8 @@ TEST(MshFile, FaultsAreOneLineWithFileAndRow) {
         {replaced(msh_4, "5 5 1 5", "5 4 1 5"), "a.msh:43: Elements: expected 4 elements as the section's head says, not 5"},
         {replaced(msh_4, "2 10 30 20", "2 10 30"), "a.msh:37: node tag of an element: expected an integer, not ''"},
         {msh_2.substr(0, msh_2.find("50 1 1 1")), "a.msh:14: Nodes: expected more rows (the file ends here)"},
-        {msh_2.substr(0, msh_2.find("$Elements")), "a.msh: $Elements: expected at least one 4-node tet (a surface mesh has to be meshed first)"},
+        {msh_2.substr(0, msh_2.find("$Elements")),
+         "a.msh: $Elements: expected at least one 4-node tet (a surface mesh has to be meshed first)"},
         {msh_2.substr(0, msh_2.find("$Nodes")), "a.msh: $Nodes: expected a section of nodes"},
         {msh_2 + "$NodeData\n1\n", "a.msh:26: $NodeData: expected $EndNodeData (the file ends here)"},
     };

@@ -1,0 +1,136 @@
+#include "solver/subdivision/links.hpp"
+
+#include "solver/subdivision/triangle_overlap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace cleave::subdivision {
+namespace {
+
+/// Overlaps below this share of the original face are rounding.
+constexpr double no_overlap = 1e-14;
+
+Triangle triangle_of(const mesh::TetMesh& mesh, int half_face) {
+    const auto [a, b, c] = mesh::face_of(mesh.tets[half_face / 4], half_face % 4);
+    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+}
+
+/// The original half face that a half face of the result is a part of; -1 inside a parent.
+int original_half_face(const Subdivided& subdivided, int half_face) {
+    const int face = subdivided.parent_face[half_face];
+    return face < 0 ? -1 : 4 * subdivided.parent[half_face / 4] + face;
+}
+
+/// The unlinked pieces on the two sides of an original face.
+struct TwoSides {
+    std::vector<int> low, high;  ///< half faces of the result, by the side's original half face
+};
+
+/// Keyed by the smaller original half face.
+std::map<int, TwoSides> unlinked_pieces(const mesh::HalfFaceLinks& original, const Subdivided& subdivided) {
+    std::map<int, TwoSides> faces;
+    const int half_faces = static_cast<int>(subdivided.links.opposite.size());
+    for (int h = 0; h < half_faces; ++h) {
+        const int here = subdivided.links.opposite[h] < 0 ? original_half_face(subdivided, h) : -1;
+        const int there = here < 0 ? -1 : original.opposite[here];
+        if (there < 0) continue;
+        TwoSides& sides = faces[std::min(here, there)];
+        (here < there ? sides.low : sides.high).push_back(h);
+    }
+    return faces;
+}
+
+void link_pieces(const TwoSides& sides, const Triangle& face, Subdivided& subdivided) {
+    const FaceFrame frame(face);
+    const double threshold = no_overlap * triangle_area(face);
+    for (const int low : sides.low) {
+        const FlatTriangle a = frame.flat(triangle_of(subdivided.mesh, low));
+        for (const int high : sides.high) {
+            const double shared = overlap_area(a, frame.flat(triangle_of(subdivided.mesh, high)));
+            if (shared > threshold) subdivided.extra_links.push_back({std::min(low, high), std::max(low, high), shared});
+        }
+    }
+}
+
+double longest_edge(const mesh::TetMesh& mesh, int tet) {
+    double longest = 0;
+    for (const int a : mesh.tets[tet]) {
+        for (const int b : mesh.tets[tet]) longest = std::max(longest, (mesh.vertices[a] - mesh.vertices[b]).norm());
+    }
+    return longest;
+}
+
+/// Area of all partners of each half face, and the links that are wrong.
+std::vector<double> partner_areas(const Subdivided& subdivided, Audit& found) {
+    const std::vector<int>& opposite = subdivided.links.opposite;
+    std::vector<double> areas(opposite.size(), 0);
+    const auto sorted_vertices = [&](int h) {
+        auto vertices = mesh::face_of(subdivided.mesh.tets[h / 4], h % 4);
+        std::sort(vertices.begin(), vertices.end());
+        return vertices;
+    };
+    for (std::size_t h = 0; h < opposite.size(); ++h) {
+        if (opposite[h] < 0) continue;
+        areas[h] += triangle_area(triangle_of(subdivided.mesh, opposite[h]));
+        const bool mutual = opposite[opposite[h]] == static_cast<int>(h);
+        found.asymmetric += !mutual || sorted_vertices(static_cast<int>(h)) != sorted_vertices(opposite[h]);
+    }
+    for (const ExtraLink& link : subdivided.extra_links) {
+        areas[link.first] += link.area;
+        areas[link.second] += link.area;
+    }
+    return areas;
+}
+
+void audit_areas(const mesh::TetMesh& original, const Subdivided& subdivided, Audit& found) {
+    const mesh::HalfFaceLinks original_links = mesh::link_half_faces(original);
+    const std::vector<double> partners = partner_areas(subdivided, found);
+    for (std::size_t h = 0; h < partners.size(); ++h) {
+        const int face = original_half_face(subdivided, static_cast<int>(h));
+        if (face >= 0 && original_links.opposite[face] < 0) {
+            found.paired_boundary += partners[h] > 0;
+            continue;
+        }
+        found.unpaired += partners[h] == 0;
+        const double own = triangle_area(triangle_of(subdivided.mesh, static_cast<int>(h)));
+        found.worst_area_error = std::max(found.worst_area_error, std::abs(partners[h] - own) / own);
+    }
+}
+
+void audit_volumes(const mesh::TetMesh& original, const Subdivided& subdivided, Audit& found) {
+    std::vector<double> sums(original.tets.size(), 0);
+    for (std::size_t tet = 0; tet < subdivided.mesh.tets.size(); ++tet) {
+        const double volume = mesh::tet_volume(subdivided.mesh, static_cast<int>(tet));
+        const int parent = subdivided.parent[tet];
+        sums[parent] += volume;
+        found.smallest_share = std::min(found.smallest_share, volume / mesh::tet_volume(original, parent));
+    }
+    for (std::size_t parent = 0; parent < sums.size(); ++parent) {
+        const int tet = static_cast<int>(parent);
+        const double error = std::abs(sums[parent] - mesh::tet_volume(original, tet)) / std::pow(longest_edge(original, tet), 3);
+        found.volume_error = std::max(found.volume_error, error);
+    }
+}
+
+}  // namespace
+
+void find_links(const mesh::TetMesh& original, Subdivided& subdivided) {
+    subdivided.links = mesh::link_half_faces(subdivided.mesh);
+    subdivided.extra_links.clear();
+    const auto faces = unlinked_pieces(mesh::link_half_faces(original), subdivided);
+    for (const auto& [face, sides] : faces) link_pieces(sides, triangle_of(original, face), subdivided);
+    std::sort(subdivided.extra_links.begin(), subdivided.extra_links.end(), [](const ExtraLink& a, const ExtraLink& b) {
+        return a.first != b.first ? a.first < b.first : a.second < b.second;
+    });
+}
+
+Audit audit(const mesh::TetMesh& original, const Subdivided& subdivided) {
+    Audit found;
+    audit_areas(original, subdivided, found);
+    audit_volumes(original, subdivided, found);
+    return found;
+}
+
+}  // namespace cleave::subdivision

@@ -2,6 +2,9 @@
 
 #include "solver/elasticity/test/test_fields.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/particles/kernel.hpp"
+
+#include <Eigen/Cholesky>
 
 #include <gtest/gtest.h>
 
@@ -129,6 +132,33 @@ TEST(Quadratic, ExactOnQuadraticFields) {
             const StrainOperator corrected = make_strain_operator("corrected", particles, hood);
             EXPECT_GT(test::worst_gradient_error(corrected, particles, test::quadratic_field()), 1e-3) << "must fail twin";
         }
+}
+
+/// Another way to the same gradient: normal equations in plain coordinates, weights -x . grad W V_j / q^2 taken from the kernel
+/// itself, the ones `corrected` implies. 1e-8: normal equations square the condition number.
+TEST(Quadratic, IsTheFitWithTheKernelsWeights) {
+    std::mt19937 generator(15);
+    Particles particles = from_mesh(box_mesh(4));
+    stretch_kernels(particles, 2, generator);
+    const StrainOperator op = build("quadratic", particles);
+    const auto u = test::sample(test::smooth_field(), particles);
+    const double scale = 1 / particles.support_radius[0];
+    for (int i = 0; i < particles.size(); i += 13) {
+        Eigen::Matrix<double, 9, 9> normal = Eigen::Matrix<double, 9, 9>::Zero();
+        Eigen::Matrix<double, 9, 3> right = Eigen::Matrix<double, 9, 3>::Zero();
+        for (const int j : op.neighbours.of(i)) {
+            const Eigen::Vector3d x = particles.position[j] - particles.position[i], z = scale * x;
+            const double pull = -x.dot(particles::kernel_gradient(x, particles.tensor[i]));
+            const double weight = particles.volume[j] * pull / (particles.tensor[i] * x).squaredNorm();
+            Eigen::Matrix<double, 9, 1> basis;
+            basis << z, z.cwiseProduct(z), z[0] * z[1], z[1] * z[2], z[2] * z[0];
+            normal += weight * basis * basis.transpose();
+            right += weight * basis * (u[j] - u[i]).transpose();
+        }
+        const Eigen::Matrix<double, 9, 3> fit = normal.ldlt().solve(right);
+        const Eigen::Matrix3d gradient = scale * fit.topRows<3>().transpose();
+        EXPECT_LT((displacement_gradient(op, i, u) - gradient).norm(), 1e-8 * gradient.norm()) << i;
+    }
 }
 
 TEST(Quadratic, SecondOrderOnSmoothFields) {

@@ -59,7 +59,7 @@ inline Stiffness rotated(const Stiffness& stiffness, const Tensor2& rotation) {
     return result;
 }
 
-inline Point apply(const Tensor2& matrix, const Point& v) {
+inline Point times(const Tensor2& matrix, const Point& v) {
     Point result{};
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) result[i] += matrix[i][j] * v[j];

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -107,8 +108,18 @@ MshText box_mesh(const Box& box) {
     return mesh;
 }
 
+/// Removes the files when the test program ends.
+struct TemporaryFiles {
+    std::set<std::string> paths;
+    ~TemporaryFiles() {
+        for (const std::string& path : paths) std::remove(path.c_str());
+    }
+};
+
 std::string write_temporary(const std::string& name, const std::string& text) {
+    static TemporaryFiles files;
     const std::string path = fmt::format("{}cleave_fem_{}_{}", ::testing::TempDir(), ::getpid(), name);
+    files.paths.insert(path);
     std::ofstream(path) << text;
     return path;
 }

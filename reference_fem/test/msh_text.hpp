@@ -34,7 +34,7 @@ struct Box {
     Point high{1, 1, 1};
     std::array<int, 3> counts{3, 3, 3};
     double distortion = 0.2;                            ///< inner nodes move by up to this share of a brick; sides stay flat
-    std::function<int(const Point& centroid)> region;  ///< empty: region 1
+    std::function<int(const Point& centroid)> region{};  ///< empty: region 1
 };
 MshText box_mesh(const Box& box);
 

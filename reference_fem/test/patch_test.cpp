@@ -6,8 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#if defined(DEAL_II_PACKAGE_NAME) || defined(BOOST_NO_AUTO_PTR)
+#error "deal.II leaks out of reference_fem, by a header or by a flag"
+#endif
+
+#include <algorithm>
 #include <cmath>
-#include <random>
+#include <utility>
 
 namespace cleave::fem::testing {
 namespace {
@@ -16,7 +21,7 @@ constexpr double exact = 1e-10;
 const Tensor2 gradient{{{1.1e-3, -0.4e-3, 0.7e-3}, {0.9e-3, -1.3e-3, 0.2e-3}, {-0.5e-3, 0.6e-3, 0.8e-3}}};
 const Point outward[6]{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
 
-Point linear(const Point& x) { return apply(gradient, x); }
+Point linear(const Point& x) { return times(gradient, x); }
 
 /// Supports at three corners of the unit cube that take the rigid motion of `field` and nothing else.
 std::vector<Support> three_two_one(const VectorField& field) {
@@ -25,7 +30,9 @@ std::vector<Support> three_two_one(const VectorField& field) {
 }
 
 Problem held_everywhere(const std::string& mesh) {
-    Problem problem{.mesh_file = mesh, .regions = {{1, triclinic()}}, .tractions = {}, .pressures = {}, .displacements = {}, .supports = {}, .body_force = {}};
+    Problem problem;
+    problem.mesh_file = mesh;
+    problem.regions = {{1, triclinic()}};
     for (int side = 1; side <= 6; ++side) problem.displacements.push_back({side, {true, true, true}, linear});
     return problem;
 }
@@ -35,7 +42,7 @@ Problem loaded_by_traction(const std::string& mesh) {
     problem.displacements.clear();
     const Tensor2 stress = stress_tensor(triclinic(), gradient);
     for (int side = 1; side <= 6; ++side)
-        problem.tractions.push_back({side, [stress, normal = outward[side - 1]](const Point&) { return apply(stress, normal); }});
+        problem.tractions.push_back({side, [stress, normal = outward[side - 1]](const Point&) { return times(stress, normal); }});
     problem.supports = three_two_one(linear);
     return problem;
 }
@@ -50,7 +57,7 @@ Errors errors(const std::vector<FieldSample>& samples, const Tensor2& exact_grad
     double largest_displacement = 0, largest_stress = 0;
     Errors found;
     for (const FieldSample& sample : samples) {
-        const Point u = apply(exact_gradient, sample.position);
+        const Point u = times(exact_gradient, sample.position);
         for (int i = 0; i < 3; ++i) {
             largest_displacement = std::max(largest_displacement, std::abs(u[i]));
             found.displacement = std::max(found.displacement, std::abs(sample.displacement[i] - u[i]));

@@ -81,14 +81,16 @@ void add_load(const Values& values, const LocalNumbers& local, const Indices& do
     }
 }
 
-void add_body_force(const Discretization::Impl& space, const LocalNumbers& local, const VectorField& body_force, std::vector<double>& load) {
+void add_body_force(const Discretization::Impl& space, const LocalNumbers& local, const VectorField& body_force,
+                    std::vector<double>& load) {
     FEValues<3> values(space.mapping, space.scalar, QGaussSimplex<3>(load_quadrature_order),
                        dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points);
     Indices dofs(space.element.n_dofs_per_cell());
     for (const auto& cell : space.dofs.active_cell_iterators()) {
         cell->get_dof_indices(dofs);
         values.reinit(static_cast<dealii::Triangulation<3>::cell_iterator>(cell));
-        add_load(values, local, dofs, [&](unsigned int q) { return body_force(to_point(values.quadrature_point(q))); }, load);
+        add_load(
+            values, local, dofs, [&](unsigned int q) { return body_force(to_point(values.quadrature_point(q))); }, load);
     }
 }
 
@@ -104,8 +106,9 @@ unsigned int face_opposite(const dealii::DoFHandler<3>::active_cell_iterator& ce
 
 void add_surface_loads(const Discretization::Impl& space, const LocalNumbers& local, const std::vector<SurfaceLoad>& loads,
                        std::vector<double>& load) {
-    FEFaceValues<3> values(space.mapping, space.scalar, QGaussSimplex<2>(load_quadrature_order),
-                           dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points | dealii::update_normal_vectors);
+    FEFaceValues<3> values(
+        space.mapping, space.scalar, QGaussSimplex<2>(load_quadrature_order),
+        dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points | dealii::update_normal_vectors);
     std::vector<dealii::DoFHandler<3>::active_cell_iterator> cells;
     for (const auto& cell : space.dofs.active_cell_iterators()) cells.push_back(cell);
     Indices dofs(space.element.n_dofs_per_cell());
@@ -193,7 +196,8 @@ Assembly assemble(const Discretization& space, const std::vector<const Elasticit
     dealii::SparseMatrix<double> matrix(pattern);
     dealii::Vector<double> right_hand_side(result.load.begin(), result.load.end());
 
-    FEValues<3> values(impl.mapping, impl.scalar, QGaussSimplex<3>(impl.scalar.degree), dealii::update_gradients | dealii::update_JxW_values);
+    FEValues<3> values(impl.mapping, impl.scalar, QGaussSimplex<3>(impl.scalar.degree),
+                       dealii::update_gradients | dealii::update_JxW_values);
     Indices dofs(impl.element.n_dofs_per_cell());
     dealii::Vector<double> no_load(static_cast<unsigned int>(dofs.size()));
     for (const auto& cell : impl.dofs.active_cell_iterators()) {

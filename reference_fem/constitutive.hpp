@@ -10,7 +10,8 @@ using Tensor = std::array<std::array<double, 3>, 3>;
 /// deal.II unrolls symmetric tensors in another order (11, 22, 33, 12, 13, 23) than ours.
 class Elasticity {
 public:
-    /// Throws Error if the stiffness is not finite, symmetric (to 1e-9 of its largest entry) and positive definite; `region` is for the message.
+    /// Throws Error if the stiffness is not finite, symmetric (to 1e-9 of its largest entry) and positive definite; `region` is for the
+    /// message.
     Elasticity(const Stiffness& stiffness, int region);
 
     double operator()(int i, int j, int k, int l) const { return tensor_[i][j][k][l]; }

@@ -57,7 +57,8 @@ public:
             const Prescribed& first = by_dof_.at(dof);
             if (std::abs(first.value - other) > 1e-8 * largest_)
                 throw Error(fmt::format("{}: u_{} = {:g} m at ({:g}, {:g}, {:g}) contradicts another condition, which says {:g} m", name,
-                                        axis_name[first.component], other, first.position[0], first.position[1], first.position[2], first.value));
+                                        axis_name[first.component], other, first.position[0], first.position[1], first.position[2],
+                                        first.value));
         }
     }
 
@@ -69,7 +70,8 @@ private:
         return position;
     }
 
-    void add_node(int cell, int node, const Point& position, const std::array<bool, 3>& components, const Point& value, const std::string& name) {
+    void add_node(int cell, int node, const Point& position, const std::array<bool, 3>& components, const Point& value,
+                  const std::string& name) {
         for (int component = 0; component < 3; ++component) {
             if (!components[component]) continue;
             if (!std::isfinite(value[component])) throw Error(fmt::format("{}: a prescribed displacement is not finite", name));
@@ -92,7 +94,8 @@ private:
     double largest_ = 0;
 };
 
-/// What each unit rigid motion (3 translations, 3 rotations about `centre`, scaled to unit displacement at distance `size`) does to a component.
+/// What each unit rigid motion (3 translations, 3 rotations about `centre`, scaled to unit displacement at distance `size`) does to a
+/// component.
 Rigid rigid_row(const Prescribed& held, const Point& centre, double size) {
     Rigid row = Rigid::Zero();
     row[held.component] = 1;
@@ -141,8 +144,9 @@ void check_held(const Mesh& mesh, const std::map<int, Prescribed>& by_dof) {
         const auto loose = (values.array() <= 1e-10 * std::max(values[5], 1.0)).count();
         if (loose > 0)
             throw Error(fmt::format("{}: {} can still move rigidly in {} of 6 ways; hold it by displacements", mesh.file,
-                                    parts.size() == 1 ? "the body"
-                                                      : fmt::format("the part around ({:g}, {:g}, {:g})", part.centre[0], part.centre[1], part.centre[2]),
+                                    parts.size() == 1
+                                        ? "the body"
+                                        : fmt::format("the part around ({:g}, {:g}, {:g})", part.centre[0], part.centre[1], part.centre[2]),
                                     loose));
     }
 }

@@ -26,7 +26,9 @@ public:
 
     int dofs() const;
     int nodes_per_cell() const;
-    int dof(int cell, int node, int component) const { return table_[3 * (static_cast<std::size_t>(cell) * nodes_per_cell() + node) + component]; }
+    int dof(int cell, int node, int component) const {
+        return table_[3 * (static_cast<std::size_t>(cell) * nodes_per_cell() + node) + component];
+    }
 
     /// Barycentric coordinates of a cell's nodes.
     const std::vector<std::array<double, 4>>& node_barycentrics() const { return node_barycentrics_; }
@@ -60,8 +62,8 @@ using PrescribedValues = std::map<int, double>;
 /// The linear system of the free dofs.
 struct Assembly {
     SparseSystem system;
-    std::vector<int> free_dofs;       ///< dof of each row
-    std::vector<double> load;         ///< N, of all dofs: tractions, pressures and body force, without reactions
+    std::vector<int> free_dofs;  ///< dof of each row
+    std::vector<double> load;    ///< N, of all dofs: tractions, pressures and body force, without reactions
 };
 
 /// Assembles int sigma(u) : grad(v) = int f v + int t v (weak form of balance), with prescribed values eliminated.

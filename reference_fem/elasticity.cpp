@@ -35,7 +35,8 @@ SparseSolution solve_system(const SparseSystem& system, const Options& options) 
     const bool direct = options.solver == Solver::direct || (options.solver == Solver::automatic && system.size() <= options.direct_limit);
     SparseSolution solution = direct ? solve_direct(system) : solve_iterative(system, options.tolerance, options.iteration_limit);
     // 1e-6 would already spoil the reference; a sound system stays below 1e-10.
-    if (!(solution.relative_residual < 1e-6)) throw Error(fmt::format("the linear solver left a residual of {:.1e}", solution.relative_residual));
+    if (!(solution.relative_residual < 1e-6))
+        throw Error(fmt::format("the linear solver left a residual of {:.1e}", solution.relative_residual));
     return solution;
 }
 
@@ -60,7 +61,8 @@ void add_energies(Solution::Data& data, const Assembly& assembly, const Prescrib
             for (int node = 0; node < data.space.nodes_per_cell(); ++node)
                 for (int i = 0; i < 3; ++i)
                     for (int j = 0; j < 3; ++j)
-                        internal[data.space.dof(cell, node, i)] += weight * sample.stress[voigt_index(i, j)] * local.shape_gradients[node][j];
+                        internal[data.space.dof(cell, node, i)] +=
+                            weight * sample.stress[voigt_index(i, j)] * local.shape_gradients[node][j];
         }
     for (std::size_t dof = 0; dof < internal.size(); ++dof)
         data.external_work += (prescribed.contains(static_cast<int>(dof)) ? internal[dof] : assembly.load[dof]) * data.displacement[dof];

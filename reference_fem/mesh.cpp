@@ -55,8 +55,7 @@ void check_cells(const Mesh& mesh) {
 FaceTable::FaceTable(const Mesh& mesh) : mesh_(mesh) {
     entries_.reserve(4 * mesh.cells.size());
     for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
-        for (int opposite = 0; opposite < 4; ++opposite)
-            entries_.push_back({face_vertices(mesh.cells[cell], opposite), {cell, opposite}});
+        for (int opposite = 0; opposite < 4; ++opposite) entries_.push_back({face_vertices(mesh.cells[cell], opposite), {cell, opposite}});
     std::stable_sort(entries_.begin(), entries_.end());
     for (std::size_t i = 2; i < entries_.size(); ++i)
         if (entries_[i - 2].vertices == entries_[i].vertices)
@@ -78,12 +77,11 @@ std::vector<BoundaryFace> FaceTable::surface(int id) const {
         if (triangle.surface != id) continue;
         const auto cells = find(triangle.vertices);
         if (cells.size() != 1)
-            throw Error(fmt::format("{}: surface {}: triangle {} {}; only faces of the body's surface can be loaded or held", mesh_.file, id,
-                                    triangle.element, cells.empty() ? "is no face of a tet" : "lies inside the body"));
+            throw Error(fmt::format("{}: surface {}: triangle {} {}; only faces of the body's surface can be loaded or held", mesh_.file,
+                                    id, triangle.element, cells.empty() ? "is no face of a tet" : "lies inside the body"));
         faces.push_back(cells.front().face);
     }
-    if (faces.empty())
-        throw Error(fmt::format("{}: no physical surface {} (the mesh has: {})", mesh_.file, id, fmt::join(known, ", ")));
+    if (faces.empty()) throw Error(fmt::format("{}: no physical surface {} (the mesh has: {})", mesh_.file, id, fmt::join(known, ", ")));
     return faces;
 }
 

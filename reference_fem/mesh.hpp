@@ -21,8 +21,8 @@ struct Mesh {
     std::string file;
     std::vector<Point> vertices;
     std::vector<std::array<int, 4>> cells;
-    std::vector<int> cell_regions;     ///< tag of the physical volume, 0 if none
-    std::vector<long> cell_elements;   ///< the tet's number in the file, for messages
+    std::vector<int> cell_regions;    ///< tag of the physical volume, 0 if none
+    std::vector<long> cell_elements;  ///< the tet's number in the file, for messages
     std::vector<SurfaceTriangle> triangles;
 };
 

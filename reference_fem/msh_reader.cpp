@@ -70,7 +70,8 @@ public:
     }
 
     [[noreturn]] void fail(const std::string& what) const {
-        const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(position_, text_.size())), '\n');
+        const auto line =
+            1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(position_, text_.size())), '\n');
         throw Error(fmt::format("{}:{}: {}", file_, line, what));
     }
 
@@ -88,12 +89,18 @@ constexpr int tet_type = 4;
 /// Nodes of an element type, 0 if this reader has no use for it. Types of the Gmsh manual, "MSH file format".
 int node_count(int type) {
     switch (type) {
-        case 15: return 1;  // point
-        case 1: return 2;   // line
-        case 8: return 3;   // line of second order
-        case triangle_type: return 3;
-        case tet_type: return 4;
-        default: return 0;
+        case 15:
+            return 1;  // point
+        case 1:
+            return 2;  // line
+        case 8:
+            return 3;  // line of second order
+        case triangle_type:
+            return 3;
+        case tet_type:
+            return 4;
+        default:
+            return 0;
     }
 }
 
@@ -162,7 +169,8 @@ private:
     }
 
     void add_node(long tag, const Point& point) {
-        if (!node_of_tag_.emplace(tag, static_cast<int>(mesh_.vertices.size())).second) scanner_.fail(fmt::format("node {} stands twice", tag));
+        if (!node_of_tag_.emplace(tag, static_cast<int>(mesh_.vertices.size())).second)
+            scanner_.fail(fmt::format("node {} stands twice", tag));
         mesh_.vertices.push_back(point);
     }
 

@@ -11,8 +11,8 @@ namespace {
 /// A point seen from a tet.
 struct Local {
     std::array<double, 4> barycentric;
-    double slack;      ///< largest of -barycentric: positive outside
-    double distance;   ///< how far beyond the farthest face plane, in diameters of the tet; negative inside
+    double slack;     ///< largest of -barycentric: positive outside
+    double distance;  ///< how far beyond the farthest face plane, in diameters of the tet; negative inside
 };
 
 /// Barycentric coordinates by volume ratios: lambda_i = V(point in place of vertex i) / V.

@@ -6,8 +6,8 @@
 
 namespace cleave::fem {
 
-/// Finds the tet that holds a point, by a uniform grid over the bounding boxes of the tets. deal.II's own search returns wrong cells on tets
-/// without a word (see test/deal_ii_traps_test.cpp), so it is not used.
+/// Finds the tet that holds a point, by a uniform grid over the bounding boxes of the tets. deal.II's own search returns wrong cells on
+/// tets without a word (see test/deal_ii_traps_test.cpp), so it is not used.
 class PointLocator {
 public:
     /// Points up to `outside_tolerance` diameters of a tet outside it are still found. The mesh must outlive this object.

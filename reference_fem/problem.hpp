@@ -71,10 +71,10 @@ enum class Solver {
 };
 
 struct Options {
-    int degree = 2;                  ///< 1 or 2; degree 2 is the reference, degree 1 is there to be compared
+    int degree = 2;  ///< 1 or 2; degree 2 is the reference, degree 1 is there to be compared
     Solver solver = Solver::automatic;
-    long direct_limit = 50000;       ///< unknowns; a compact body of so many takes CHOLMOD about twice as long as the iterative solver
-    double tolerance = 1e-11;        ///< |A x - b| / |b| at which the iterative solver stops
+    long direct_limit = 50000;  ///< unknowns; a compact body of so many takes CHOLMOD about twice as long as the iterative solver
+    double tolerance = 1e-11;   ///< |A x - b| / |b| at which the iterative solver stops
     int iteration_limit = 2000;
     double outside_tolerance = 0.1;  ///< how far outside the mesh a point may be evaluated, in diameters of the nearest cell
 };

@@ -14,7 +14,8 @@ namespace {
 std::vector<const Elasticity*> by_cell(const Mesh& mesh, const std::vector<Region>& regions, const std::vector<Elasticity>& elasticities) {
     std::map<int, const Elasticity*> of_region;
     for (std::size_t i = 0; i < regions.size(); ++i)
-        if (!of_region.emplace(regions[i].id, &elasticities[i]).second) throw Error(fmt::format("region {} has two stiffnesses", regions[i].id));
+        if (!of_region.emplace(regions[i].id, &elasticities[i]).second)
+            throw Error(fmt::format("region {} has two stiffnesses", regions[i].id));
     std::vector<const Elasticity*> materials;
     for (const int region : mesh.cell_regions) {
         const auto found = of_region.find(region);
@@ -44,19 +45,25 @@ ShapeTable::ShapeTable(const Discretization& space, int order) : rule(Discretiza
 }
 
 Solution::Data::Data(Mesh read, const Options& chosen, std::vector<Region> regions)
-    : mesh(std::move(read)), options(chosen), elasticities(elasticities_of(regions)), materials(by_cell(mesh, regions, elasticities)),
-      space(mesh, options.degree), locator(mesh, options.outside_tolerance) {}
+    : mesh(std::move(read)),
+      options(chosen),
+      elasticities(elasticities_of(regions)),
+      materials(by_cell(mesh, regions, elasticities)),
+      space(mesh, options.degree),
+      locator(mesh, options.outside_tolerance) {}
 
 Solution::Data::Local Solution::Data::evaluate(int cell, const std::vector<double>& values, const std::vector<Point>& unit_gradients,
                                                const Point& unit) const {
     const auto& vertices = mesh.cells[cell];
     const Point& origin = mesh.vertices[vertices[0]];
-    const std::array<Point, 3> edges{mesh.vertices[vertices[1]] - origin, mesh.vertices[vertices[2]] - origin, mesh.vertices[vertices[3]] - origin};
+    const std::array<Point, 3> edges{mesh.vertices[vertices[1]] - origin, mesh.vertices[vertices[2]] - origin,
+                                     mesh.vertices[vertices[3]] - origin};
     Local local;
     local.position = origin + unit[0] * edges[0] + unit[1] * edges[1] + unit[2] * edges[2];
     local.volume_factor = dot(edges[0], cross(edges[1], edges[2]));
     // Gradients of the barycentric coordinates 1 to 3: the rows of the inverse of the map x = origin + edges * unit.
-    const std::array<Point, 3> inverse{1 / local.volume_factor * cross(edges[1], edges[2]), 1 / local.volume_factor * cross(edges[2], edges[0]),
+    const std::array<Point, 3> inverse{1 / local.volume_factor * cross(edges[1], edges[2]),
+                                       1 / local.volume_factor * cross(edges[2], edges[0]),
                                        1 / local.volume_factor * cross(edges[0], edges[1])};
     for (int node = 0; node < space.nodes_per_cell(); ++node) {
         const Point& g = unit_gradients[node];
@@ -130,7 +137,8 @@ std::vector<Point> Solution::vertex_displacements() const {
     std::vector<Point> displacements(data_->mesh.vertices.size());
     for (int cell = 0; cell < static_cast<int>(data_->mesh.cells.size()); ++cell)
         for (int vertex = 0; vertex < 4; ++vertex)
-            for (int i = 0; i < 3; ++i) displacements[data_->mesh.cells[cell][vertex]][i] = data_->displacement[data_->space.dof(cell, vertex, i)];
+            for (int i = 0; i < 3; ++i)
+                displacements[data_->mesh.cells[cell][vertex]][i] = data_->displacement[data_->space.dof(cell, vertex, i)];
     return displacements;
 }
 

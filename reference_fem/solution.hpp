@@ -9,12 +9,12 @@ namespace cleave::fem {
 /// What one solve cost and how well it did.
 struct SolveRecord {
     long cells = 0;
-    long dofs = 0;                ///< nodal components, prescribed ones included
-    std::string solver;           ///< "cholmod" or "cg+two_level"
-    int iterations = 0;           ///< 0 for the direct solver
-    double relative_residual = 0; ///< |A x - b| / |b| over the free components, after the solve
-    double seconds = 0;           ///< reading, assembly and solve; a timing, hence not reproducible
-    double matrix_bytes = 0;      ///< matrix and factor
+    long dofs = 0;                 ///< nodal components, prescribed ones included
+    std::string solver;            ///< "cholmod" or "cg+two_level"
+    int iterations = 0;            ///< 0 for the direct solver
+    double relative_residual = 0;  ///< |A x - b| / |b| over the free components, after the solve
+    double seconds = 0;            ///< reading, assembly and solve; a timing, hence not reproducible
+    double matrix_bytes = 0;       ///< matrix and factor
 };
 
 /// The fields at one place.

@@ -19,8 +19,8 @@ using RowMatrixView = Eigen::Map<const RowMatrix>;
 using ColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 RowMatrixView matrix_of(const SparseSystem& system) {
-    return {system.size(),          system.size(),        static_cast<int>(system.value.size()), system.row_start.data(),
-            system.column.data(), system.value.data()};
+    return {system.size(),           system.size(),        static_cast<int>(system.value.size()),
+            system.row_start.data(), system.column.data(), system.value.data()};
 }
 
 Eigen::Map<const Vector> vector_of(const std::vector<double>& values) { return {values.data(), static_cast<Eigen::Index>(values.size())}; }
@@ -80,8 +80,11 @@ RowMatrix prolongation(const SparseSystem& system) {
 class TwoLevel {
 public:
     TwoLevel(const RowMatrixView& matrix, RowMatrix prolongation)
-        : matrix_(matrix), inverse_diagonal_(matrix.rows()), prolongation_(std::move(prolongation)),
-          restriction_(prolongation_.transpose()), coarse_(lower_triangle(RowMatrix(restriction_ * matrix_ * prolongation_))) {
+        : matrix_(matrix),
+          inverse_diagonal_(matrix.rows()),
+          prolongation_(std::move(prolongation)),
+          restriction_(prolongation_.transpose()),
+          coarse_(lower_triangle(RowMatrix(restriction_ * matrix_ * prolongation_))) {
         for (int row = 0; row < matrix_.rows(); ++row) inverse_diagonal_[row] = 1 / matrix_.coeff(row, row);
     }
 

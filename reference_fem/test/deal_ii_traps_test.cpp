@@ -62,7 +62,8 @@ TEST(DealIiTraps, VolumeIsSixTimesTooLarge) {
 /// Trap 4.
 TEST(DealIiTraps, TaggedInteriorSurfaceMakesTheReaderThrow) {
     MshText text = box_mesh({.counts = {1, 1, 1}});
-    text.triangles.push_back({{text.tets[0].nodes[0], text.tets[0].nodes[1], text.tets[0].nodes[3]}, 70});  // along the diagonal of the brick
+    text.triangles.push_back(
+        {{text.tets[0].nodes[0], text.tets[0].nodes[1], text.tets[0].nodes[3]}, 70});  // along the diagonal of the brick
     std::istringstream stream(text.version_2());
     Cells cells;
     EXPECT_ANY_THROW(dealii::GridIn<3>(cells).read_msh(stream));

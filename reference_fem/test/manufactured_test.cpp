@@ -18,7 +18,9 @@ constexpr double amplitude = 1e-3;
 
 double phase(int i, const Point& x) { return times(wave, x)[i] + i; }
 
-Point field(const Point& x) { return {amplitude * std::sin(phase(0, x)), amplitude * std::sin(phase(1, x)), amplitude * std::sin(phase(2, x))}; }
+Point field(const Point& x) {
+    return {amplitude * std::sin(phase(0, x)), amplitude * std::sin(phase(1, x)), amplitude * std::sin(phase(2, x))};
+}
 
 Tensor2 field_gradient(const Point& x) {
     Tensor2 gradient{};
@@ -95,7 +97,9 @@ struct Orders {
 };
 Orders orders(int degree, int coarse, int fine, const Law& law) {
     const Errors a = errors(degree, coarse, law), b = errors(degree, fine, law);
-    const auto order = [&](double Errors::*error) { return std::log(a.*error / (b.*error)) / std::log(static_cast<double>(fine) / coarse); };
+    const auto order = [&](double Errors::*error) {
+        return std::log(a.*error / (b.*error)) / std::log(static_cast<double>(fine) / coarse);
+    };
     return {order(&Errors::displacement), order(&Errors::stress), order(&Errors::recovered_stress)};
 }
 
@@ -113,9 +117,7 @@ TEST(Manufactured, QuadraticTetsHaveOrders3And2) {
     EXPECT_GT(found.recovered_stress, 2.5);
 }
 
-TEST(Manufactured, TensorShearInPlaceOfEngineeringShearIsSeen) {
-    EXPECT_LT(orders(2, 2, 4, hooke_of_tensor_shear).stress, 0.5);
-}
+TEST(Manufactured, TensorShearInPlaceOfEngineeringShearIsSeen) { EXPECT_LT(orders(2, 2, 4, hooke_of_tensor_shear).stress, 0.5); }
 
 }  // namespace
 }  // namespace cleave::fem::testing

@@ -54,8 +54,9 @@ inline Stiffness rotated(const Stiffness& stiffness, const Tensor2& rotation) {
                 for (int b = 0; b < 3; ++b)
                     for (int c = 0; c < 3; ++c)
                         for (int d = 0; d < 3; ++d)
-                            result[p][q] += rotation[voigt_pairs[p][0]][a] * rotation[voigt_pairs[p][1]][b] * rotation[voigt_pairs[q][0]][c] *
-                                            rotation[voigt_pairs[q][1]][d] * stiffness[voigt_of[a][b]][voigt_of[c][d]];
+                            result[p][q] += rotation[voigt_pairs[p][0]][a] * rotation[voigt_pairs[p][1]][b] *
+                                            rotation[voigt_pairs[q][0]][c] * rotation[voigt_pairs[q][1]][d] *
+                                            stiffness[voigt_of[a][b]][voigt_of[c][d]];
     return result;
 }
 

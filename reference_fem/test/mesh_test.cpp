@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 namespace cleave::fem::testing {
 namespace {
 
@@ -148,7 +147,8 @@ TEST(BadMesh, TetThatStandsTwiceOrInTwoVolumesIsNamed) {
     MshText doubled = single_tet();
     doubled.tets.assign(3, doubled.tets[0]);
     EXPECT_TRUE(contains(read_error(doubled.version_2()), "tets 3, 4 and 5 share one face"));
-    EXPECT_TRUE(contains(read_error(replaced(single_tet().version_4(), "1 0 0 0 1 1 1 1 1 0", "1 0 0 0 1 1 1 2 1 8 0")), "2 physical volumes"));
+    EXPECT_TRUE(
+        contains(read_error(replaced(single_tet().version_4(), "1 0 0 0 1 1 1 1 1 0", "1 0 0 0 1 1 1 2 1 8 0")), "2 physical volumes"));
 }
 
 /// A clamped box with one spoilt item.
@@ -242,7 +242,8 @@ TEST(BadProblem, LoosePartIsLocated) {
     EXPECT_TRUE(contains(solve_error(problem), "the part around (5.5, 0.5, 0.5) can still move rigidly in 6 of 6 ways"));
 }
 
-/// Two tets that share an edge only: each rigid-body count is fine for the whole, but the hinge turns. Found by the condition of the factor.
+/// Two tets that share an edge only: each rigid-body count is fine for the whole, but the hinge turns. Found by the condition of the
+/// factor.
 TEST(BadProblem, HingeIsFound) {
     MshText text = single_tet();
     text.nodes.insert(text.nodes.end(), {{1, -1, 0}, {0.5, -1, 1}});

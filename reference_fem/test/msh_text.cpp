@@ -29,7 +29,8 @@ Point node_position(const Box& box, const std::array<int, 3>& at) {
     for (int i = 0; i < 3; ++i) {
         const double brick = (box.high[i] - box.low[i]) / box.counts[i];
         position[i] = box.low[i] + brick * at[i];
-        if (at[i] > 0 && at[i] < box.counts[i]) position[i] += box.distortion * brick * std::sin(12.9 * at[0] + 78.2 * at[1] + 37.7 * at[2] + 5.0 * i);
+        if (at[i] > 0 && at[i] < box.counts[i])
+            position[i] += box.distortion * brick * std::sin(12.9 * at[0] + 78.2 * at[1] + 37.7 * at[2] + 5.0 * i);
     }
     return position;
 }
@@ -58,7 +59,8 @@ void add_sides(MshText& mesh, const Box& box) {
         const double plane = side % 2 == 0 ? box.low[axis] : box.high[axis];
         for (const auto& tet : mesh.tets) {
             std::vector<int> on_side;
-            std::copy_if(tet.nodes.begin(), tet.nodes.end(), std::back_inserter(on_side), [&](int node) { return mesh.nodes[node][axis] == plane; });
+            std::copy_if(tet.nodes.begin(), tet.nodes.end(), std::back_inserter(on_side),
+                         [&](int node) { return mesh.nodes[node][axis] == plane; });
             if (on_side.size() == 3) mesh.triangles.push_back({{on_side[0], on_side[1], on_side[2]}, side + 1});
         }
     }
@@ -71,7 +73,8 @@ std::string MshText::version_2() const {
     for (std::size_t i = 0; i < nodes.size(); ++i) text += fmt::format("{} {:.17g}\n", i + 1, fmt::join(nodes[i], " "));
     text += fmt::format("$EndNodes\n$Elements\n{}\n", triangles.size() + tets.size());
     int number = 0;
-    for (const auto& [n, surface] : triangles) text += fmt::format("{} 2 2 {} {} {} {} {}\n", ++number, surface, surface, n[0] + 1, n[1] + 1, n[2] + 1);
+    for (const auto& [n, surface] : triangles)
+        text += fmt::format("{} 2 2 {} {} {} {} {}\n", ++number, surface, surface, n[0] + 1, n[1] + 1, n[2] + 1);
     for (const auto& [n, region] : tets)
         text += fmt::format("{} 4 2 {} {} {} {} {} {}\n", ++number, region, region, n[0] + 1, n[1] + 1, n[2] + 1, n[3] + 1);
     return text + "$EndElements\n";
@@ -90,8 +93,10 @@ std::string MshText::version_4() const {
     const std::size_t count = triangles.size() + tets.size();
     text += fmt::format("$EndNodes\n$Elements\n{} {} 1 {}\n", count, count, count);  // one block per element: legal, if wasteful
     int number = 0;
-    for (const auto& [n, surface] : triangles) text += fmt::format("2 {} 2 1\n{} {} {} {}\n", surface, ++number, n[0] + 1, n[1] + 1, n[2] + 1);
-    for (const auto& [n, region] : tets) text += fmt::format("3 {} 4 1\n{} {} {} {} {}\n", region, ++number, n[0] + 1, n[1] + 1, n[2] + 1, n[3] + 1);
+    for (const auto& [n, surface] : triangles)
+        text += fmt::format("2 {} 2 1\n{} {} {} {}\n", surface, ++number, n[0] + 1, n[1] + 1, n[2] + 1);
+    for (const auto& [n, region] : tets)
+        text += fmt::format("3 {} 4 1\n{} {} {} {} {}\n", region, ++number, n[0] + 1, n[1] + 1, n[2] + 1, n[3] + 1);
     return text + "$EndElements\n";
 }
 

@@ -28,12 +28,13 @@ struct MshText {
     std::string version_4() const;
 };
 
-/// A box cut into counts[0] * counts[1] * counts[2] bricks of six tets (Kuhn 1960). Its sides are the surfaces 1 (x low), 2 (x high), 3 (y low), ... 6.
+/// A box cut into counts[0] * counts[1] * counts[2] bricks of six tets (Kuhn 1960). Its sides are the surfaces 1 (x low), 2 (x high), 3 (y
+/// low), ... 6.
 struct Box {
     Point low{0, 0, 0};
     Point high{1, 1, 1};
     std::array<int, 3> counts{3, 3, 3};
-    double distortion = 0.2;                            ///< inner nodes move by up to this share of a brick; sides stay flat
+    double distortion = 0.2;                             ///< inner nodes move by up to this share of a brick; sides stay flat
     std::function<int(const Point& centroid)> region{};  ///< empty: region 1
 };
 MshText box_mesh(const Box& box);

@@ -131,8 +131,8 @@ TEST_P(Patch, VertexDisplacementsAreThoseOfTheField) {
         for (int j = 0; j < 3; ++j) EXPECT_NEAR(displacements[i][j], linear(vertices[i])[j], 1e-3 * exact);
 }
 
-/// Two triclinic materials under a piecewise linear field: gradient jump a (x) n with the acoustic tensor, (n C1 n) a = -(C1 - C0) : gradient n,
-/// which makes the traction continuous across the plane z = 1/2.
+/// Two triclinic materials under a piecewise linear field: gradient jump a (x) n with the acoustic tensor, (n C1 n) a = -(C1 - C0) :
+/// gradient n, which makes the traction continuous across the plane z = 1/2.
 TEST_P(Patch, LaminateIsExact) {
     const Stiffness lower = triclinic(), upper = triclinic(77);
     const Tensor2 lower_stress = stress_tensor(lower, gradient), upper_stress = stress_tensor(upper, gradient);
@@ -140,7 +140,8 @@ TEST_P(Patch, LaminateIsExact) {
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) acoustic[i][k] = upper[voigt_of[i][2]][voigt_of[k][2]];
     const Point jump = [&] {  // Cramer's rule
-        const Point right{lower_stress[0][2] - upper_stress[0][2], lower_stress[1][2] - upper_stress[1][2], lower_stress[2][2] - upper_stress[2][2]};
+        const Point right{lower_stress[0][2] - upper_stress[0][2], lower_stress[1][2] - upper_stress[1][2],
+                          lower_stress[2][2] - upper_stress[2][2]};
         const auto determinant = [](const Tensor2& m) {
             return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
                    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);

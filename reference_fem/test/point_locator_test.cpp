@@ -98,7 +98,8 @@ TEST(Solution, EvaluatesOutsideOnlyWithinTheTolerance) {
     Problem problem;
     problem.mesh_file = write_box("g.msh", {.counts = {2, 2, 2}, .distortion = 0});
     problem.regions = {{1, triclinic()}};
-    for (int side = 1; side <= 6; ++side) problem.displacements.push_back({side, {true, true, true}, [](const Point& x) { return 1e-3 * x; }});
+    for (int side = 1; side <= 6; ++side)
+        problem.displacements.push_back({side, {true, true, true}, [](const Point& x) { return 1e-3 * x; }});
     const Solution solution = solve(problem);
     EXPECT_NEAR(solution.at({1.05, 0.4, 0.3}).displacement[0], 1.05e-3, 1e-15);  // the cell's polynomial, continued
     EXPECT_THROW(solution.at({1.2, 0.4, 0.3}), Error);

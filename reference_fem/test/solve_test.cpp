@@ -12,7 +12,8 @@ namespace {
 /// Engineering constants to stiffness, through the inverse of the 3x3 compliance block (Cramer's rule); shear moduli yz, xz, xy.
 Stiffness orthotropic(const std::array<double, 3>& young, double nu_xy, double nu_yz, double nu_xz, const std::array<double, 3>& shear) {
     // Minor Poisson ratios: S12 = -nu_xy / Ey, S23 = -nu_yz / Ez, S13 = -nu_xz / Ez.
-    const Tensor2 s{{{1 / young[0], -nu_xy / young[1], -nu_xz / young[2]}, {-nu_xy / young[1], 1 / young[1], -nu_yz / young[2]},
+    const Tensor2 s{{{1 / young[0], -nu_xy / young[1], -nu_xz / young[2]},
+                     {-nu_xy / young[1], 1 / young[1], -nu_yz / young[2]},
                      {-nu_xz / young[2], -nu_yz / young[2], 1 / young[2]}}};
     const auto minor = [&](int i, int j) {
         const int a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
@@ -50,7 +51,8 @@ Problem cantilever(const std::string& mesh, const Stiffness& stiffness) {
 }
 
 /// ANSYS Verification Manual, VM145, "Stretching of an Orthotropic Solid"; psi and inches stand for Pa and m.
-/// By hand: eps_x = 100/10e6 - 0.1 * 200/20e6 = 9e-6, eps_y = 200/20e6 - 0.1 * 100/20e6 = 9.5e-6, eps_z = -(0.3 * 100 + 0.2 * 200)/40e6 = -1.75e-6.
+/// By hand: eps_x = 100/10e6 - 0.1 * 200/20e6 = 9e-6, eps_y = 200/20e6 - 0.1 * 100/20e6 = 9.5e-6, eps_z = -(0.3 * 100 + 0.2 * 200)/40e6 =
+/// -1.75e-6.
 TEST(OrthotropicBrick, MovesAsInVm145) {
     const Stiffness stiffness = orthotropic({10e6, 20e6, 40e6}, 0.1, 0.2, 0.3, {10e6, 10e6, 10e6});
     Problem problem = box_problem(write_box("vm145.msh", {}), stiffness);
@@ -124,7 +126,9 @@ Problem loaded_in_every_way() {
 }
 
 /// Clapeyron: the work of the loads at their final value is twice the energy, prescribed displacements included.
-double clapeyron_defect(const Solution& strained, const Solution& loaded) { return std::abs(2 * strained.energy() / loaded.external_work() - 1); }
+double clapeyron_defect(const Solution& strained, const Solution& loaded) {
+    return std::abs(2 * strained.energy() / loaded.external_work() - 1);
+}
 
 TEST(Energy, IsHalfTheWork) {
     for (const int degree : {1, 2}) {
@@ -151,7 +155,9 @@ TEST(IterativeSolver, AgreesWithTheDirectOne) {
         // The residual asked for is 1e-11, the condition of this matrix about 1e3.
         EXPECT_NEAR(iterative.energy() / direct.energy(), 1, 1e-9);
         const Point probe{0.8, 0.3, 0.6};
-        for (int i = 0; i < 3; ++i) EXPECT_NEAR(iterative.at(probe).displacement[i], direct.at(probe).displacement[i], 1e-8 * std::abs(direct.at(probe).displacement[0]));
+        for (int i = 0; i < 3; ++i)
+            EXPECT_NEAR(iterative.at(probe).displacement[i], direct.at(probe).displacement[i],
+                        1e-8 * std::abs(direct.at(probe).displacement[0]));
     }
 }
 

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "solver/mesh/tet_mesh.hpp"
+#include "solver/subdivision/cut.hpp"
+#include "solver/subdivision/subdivided.hpp"
+
+#include <string>
+#include <vector>
+
+namespace cleave::benchmarks {
+
+/// A body and the plane that cuts it.
+struct SubdivisionCase {
+    std::string name;
+    mesh::TetMesh mesh;
+    subdivision::Cut cut;
+};
+
+/// The pot of 6,163 tets cut by a plane that holds its axis, tilted by nothing: the straight break in two halves. The plane was
+/// not chosen for a count: any count of particles is 13 n31 + 19 n22 above the first for some cut and proves nothing.
+SubdivisionCase pot_case();
+
+/// What a subdivision of this size writes, and nothing else: connectivity (16 bytes a child), links (16), centroid (24), volume
+/// (8), parent (4), and 24 bytes a new point. The floor under every subdivision on this machine.
+class PureStores {
+public:
+    PureStores(int children, int points);
+    /// Writes every byte once.
+    void run();
+    std::size_t bytes() const;
+
+private:
+    std::vector<int> tets_, links_, parents_;
+    std::vector<double> centroids_, volumes_, points_;
+    int turn_ = 0;
+};
+
+/// PureStores of the size of a result: its children (not the parents left whole) and the points made.
+PureStores stores_like(const subdivision::Subdivided& result, const mesh::TetMesh& original);
+
+}  // namespace cleave::benchmarks

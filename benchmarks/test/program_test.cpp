@@ -1,0 +1,89 @@
+#include "benchmarks/json_reporter.hpp"
+#include "solver/input/file_io.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+namespace cleave::benchmarks {
+namespace {
+
+/// Runs the program, output to files, and returns its exit code.
+struct Outcome {
+    int code;
+    std::string out, error;
+};
+Outcome run(const std::string& arguments) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "cleave_bench_test";
+    std::filesystem::create_directories(folder);
+    const std::string out = (folder / "stdout").string(), error = (folder / "stderr").string();
+    const int status = std::system((std::string(CLEAVE_BENCH_PROGRAM) + " " + arguments + " >'" + out + "' 2>'" + error + "'").c_str());
+    return {WEXITSTATUS(status), read_file(out), read_file(error)};
+}
+
+TEST(Program, EveryBenchmarkRunsOnceAndCountsItsWork) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "cleave_bench_test" / "bench.json";
+    std::filesystem::remove(file);
+    const Outcome outcome = run("--level quick --benchmark_min_time=0 --out '" + file.string() + "'");
+    ASSERT_EQ(outcome.code, 0) << outcome.error;
+    const nlohmann::json document = nlohmann::json::parse(read_file(file));
+    std::set<std::string> names;
+    for (const auto& row : document["benchmarks"]) {
+        names.insert(row["name"].get<std::string>());
+        EXPECT_FALSE(row.contains("error_occurred"));
+        if (!row.contains("n31")) continue;
+        EXPECT_EQ(row["particles_after"].get<double>(),
+                  row["uncut"].get<double>() + 14 * row["n31"].get<double>() + 20 * row["n22"].get<double>());
+        EXPECT_EQ(row["particles_before"].get<double>(), row["uncut"].get<double>() + row["n31"].get<double>() + row["n22"].get<double>());
+    }
+    for (const std::string name : {"table2/pot", "subdivision/plain/pot", "subdivision/stores/pot"}) {
+        const bool found = std::any_of(names.begin(), names.end(), [&](const std::string& full) { return full.starts_with(name); });
+        EXPECT_TRUE(found) << name;
+    }
+}
+
+TEST(Program, Table2StandsBesideThePapersNumbersAndNamesNoHost) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "cleave_bench_test" / "table2.json";
+    ASSERT_EQ(run("--filter table2/pot --benchmark_min_time=0 --out '" + file.string() + "'").code, 0);
+    const nlohmann::json document = nlohmann::json::parse(read_file(file));
+    const auto& context = document["context"];
+    for (const char* key : {"cpu_model", "compiler", "threads", "build_type", "level"}) EXPECT_TRUE(context.contains(key)) << key;
+    EXPECT_FALSE(context.contains("host_name"));
+    EXPECT_FALSE(context.contains("executable"));
+    ASSERT_EQ(document["benchmarks"].size(), 1u);
+    const auto& row = document["benchmarks"][0];
+    EXPECT_EQ(row["name"], "table2/pot");  // the name the report looks for
+    EXPECT_EQ(row["paper_milliseconds"].get<double>(), 2869);
+    EXPECT_EQ(row["paper_particles_after"].get<double>(), 15717);
+    EXPECT_NEAR(row["paper_milliseconds_per_added"].get<double>(), 0.300, 0.0005);
+    const double added = row["particles_after"].get<double>() - row["particles_before"].get<double>();
+    EXPECT_NEAR(row["milliseconds_per_added"].get<double>(), row["milliseconds"].get<double>() / added, 1e-9);
+}
+
+TEST(Program, BadArgumentsAreOneLineAndExitCode2) {
+    for (const char* arguments : {"--filter nothing_has_this_name", "--level huge", "--outt x", "--benchmark_nonsense=1", "--filter '['"}) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.error;
+        EXPECT_NE(outcome.error.find("cleave-bench: "), std::string::npos) << arguments;
+    }
+}
+
+TEST(Program, AnUnwritableFileIsExitCode3) {
+    EXPECT_EQ(run("--filter subdivision/stores --benchmark_min_time=0 --out /proc/nowhere/bench.json").code, 3);
+}
+
+TEST(CpuModel, IsFoundInCpuinfo) {
+    std::istringstream text("processor\t: 0\nmodel name\t: Some CPU @ 2 GHz\nmodel name\t: other\n"), none("processor : 0\n");
+    EXPECT_EQ(cpu_model(text), "Some CPU @ 2 GHz");
+    EXPECT_EQ(cpu_model(none), "unknown");
+}
+
+}  // namespace
+}  // namespace cleave::benchmarks

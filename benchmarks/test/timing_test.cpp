@@ -1,0 +1,25 @@
+#include "benchmarks/timing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace cleave::benchmarks {
+namespace {
+
+TEST(Timing, Median) {
+    EXPECT_EQ(median({3, 1, 2}), 2);
+    EXPECT_EQ(median({4, 1, 2, 3}), 2.5);
+    EXPECT_THROW(median({}), std::invalid_argument);
+}
+
+TEST(Timing, PairsTakeTurnsAndTheFirstPassIsDropped) {
+    std::string turns;
+    const PairedTimes times = paired_times([&] { turns += 'a'; }, [&] { turns += 'b'; }, 3);
+    EXPECT_EQ(turns, "abababab");
+    EXPECT_GE(times.first, 0);
+    EXPECT_GE(times.ratio, 0);
+}
+
+}  // namespace
+}  // namespace cleave::benchmarks

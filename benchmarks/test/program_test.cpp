@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -15,22 +16,27 @@
 namespace cleave::benchmarks {
 namespace {
 
-/// Runs the program, output to files, and returns its exit code.
-struct Outcome {
-    int code;
-    std::string out, error;
-};
-Outcome run(const std::string& arguments) {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "cleave_bench_test";
-    std::filesystem::create_directories(folder);
-    const std::string out = (folder / "stdout").string(), error = (folder / "stderr").string();
-    const int status = std::system((std::string(CLEAVE_BENCH_PROGRAM) + " " + arguments + " >'" + out + "' 2>'" + error + "'").c_str());
-    return {WEXITSTATUS(status), read_file(out), read_file(error)};
-}
+/// A folder of this process alone, removed with it.
+class Program : public testing::Test {
+protected:
+    Program() { std::filesystem::create_directories(folder_); }
+    ~Program() override { std::filesystem::remove_all(folder_); }
 
-TEST(Program, EveryBenchmarkRunsOnceAndCountsItsWork) {
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "cleave_bench_test" / "bench.json";
-    std::filesystem::remove(file);
+    struct Outcome {
+        int code;
+        std::string out, error;
+    };
+    Outcome run(const std::string& arguments) const {
+        const std::string out = (folder_ / "stdout").string(), error = (folder_ / "stderr").string();
+        const int status = std::system((std::string(CLEAVE_BENCH_PROGRAM) + " " + arguments + " >'" + out + "' 2>'" + error + "'").c_str());
+        return {WEXITSTATUS(status), read_file(out), read_file(error)};
+    }
+
+    std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / ("cleave_bench_test_" + std::to_string(::getpid()));
+};
+
+TEST_F(Program, EveryBenchmarkRunsOnceAndCountsItsWork) {
+    const std::filesystem::path file = folder_ / "bench.json";
     const Outcome outcome = run("--level quick --benchmark_min_time=0 --out '" + file.string() + "'");
     ASSERT_EQ(outcome.code, 0) << outcome.error;
     const nlohmann::json document = nlohmann::json::parse(read_file(file));
@@ -49,8 +55,8 @@ TEST(Program, EveryBenchmarkRunsOnceAndCountsItsWork) {
     }
 }
 
-TEST(Program, Table2StandsBesideThePapersNumbersAndNamesNoHost) {
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "cleave_bench_test" / "table2.json";
+TEST_F(Program, Table2StandsBesideThePapersNumbersAndNamesNoHost) {
+    const std::filesystem::path file = folder_ / "bench.json";
     ASSERT_EQ(run("--filter table2/pot --benchmark_min_time=0 --out '" + file.string() + "'").code, 0);
     const nlohmann::json document = nlohmann::json::parse(read_file(file));
     const auto& context = document["context"];
@@ -67,7 +73,7 @@ TEST(Program, Table2StandsBesideThePapersNumbersAndNamesNoHost) {
     EXPECT_NEAR(row["milliseconds_per_added"].get<double>(), row["milliseconds"].get<double>() / added, 1e-9);
 }
 
-TEST(Program, BadArgumentsAreOneLineAndExitCode2) {
+TEST_F(Program, BadArgumentsAreOneLineAndExitCode2) {
     for (const char* arguments : {"--filter nothing_has_this_name", "--level huge", "--outt x", "--benchmark_nonsense=1", "--filter '['"}) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.error;
@@ -75,7 +81,7 @@ TEST(Program, BadArgumentsAreOneLineAndExitCode2) {
     }
 }
 
-TEST(Program, AnUnwritableFileIsExitCode3) {
+TEST_F(Program, AnUnwritableFileIsExitCode3) {
     EXPECT_EQ(run("--filter subdivision/stores --benchmark_min_time=0 --out /proc/nowhere/bench.json").code, 3);
 }
 

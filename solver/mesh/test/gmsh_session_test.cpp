@@ -7,6 +7,8 @@
 #include <gmsh.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <stdexcept>
 
 namespace cleave::mesh {
@@ -43,7 +45,7 @@ TEST(GmshSession, MeshesABoxThatPassesTheChecks) {
 }
 
 TEST(GmshSession, RepeatsToTheBitAndReadsBackFromItsOwnFile) {
-    const auto file = std::filesystem::path(testing::TempDir()) / "cleave_gmsh_session_test.msh";
+    const auto file = std::filesystem::path(testing::TempDir()) / ("cleave_gmsh_session_test" + std::to_string(::getpid()) + ".msh");
     std::string first;
     {
         const GmshSession session;

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 namespace cleave::mesh {
 namespace {
 
@@ -141,7 +143,7 @@ TEST(MshFile, WritesWhatItReads) {
 }
 
 TEST(MshFile, ReadsFromDisk) {
-    const auto path = std::filesystem::path(testing::TempDir()) / "cleave_msh_test.msh";
+    const auto path = std::filesystem::path(testing::TempDir()) / ("cleave_msh_test" + std::to_string(::getpid()) + ".msh");
     write_msh(test::unit_tet(), path);
     EXPECT_EQ(read_msh(path).tets.size(), 1u);
     std::filesystem::remove(path);

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <numbers>
 
@@ -15,7 +17,7 @@ namespace cleave::mesh {
 namespace {
 
 std::filesystem::path empty_folder(const std::string& name) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / name;
+    const auto folder = std::filesystem::path(testing::TempDir()) / (name + std::to_string(::getpid()));
     std::filesystem::remove_all(folder);
     return folder;
 }
@@ -62,6 +64,7 @@ TEST(BodyCache, GivesTheSameBits) {
     EXPECT_EQ(cached.record, fresh.record);
     EXPECT_EQ(format_msh(cached.mesh), format_msh(fresh.mesh));
     EXPECT_EQ(text, format_msh(fresh.mesh));
+    std::filesystem::remove_all(folder);
 }
 
 TEST(BodyCache, MakesOnceAndReplacesADamagedFile) {
@@ -79,6 +82,7 @@ TEST(BodyCache, MakesOnceAndReplacesADamagedFile) {
     EXPECT_EQ(read_file(file), whole);
     cached_body("cube", "cube 2, another text", 48, folder, make);  // another recipe, another file
     EXPECT_EQ(made, 3);
+    std::filesystem::remove_all(folder);
 }
 
 TEST(BodyCache, RefusesACountThatMisses) {

@@ -151,7 +151,7 @@ TEST(Quadratic, IsTheFitWithTheKernelsWeights) {
             const double pull = -x.dot(particles::kernel_gradient(x, particles.tensor[i]));
             const double weight = particles.volume[j] * pull / (particles.tensor[i] * x).squaredNorm();
             Eigen::Matrix<double, 9, 1> basis;
-            basis << z, z.cwiseProduct(z), z[0] * z[1], z[1] * z[2], z[2] * z[0];
+            basis << z[0], z[1], z[2], z[0] * z[0], z[1] * z[1], z[2] * z[2], z[0] * z[1], z[1] * z[2], z[2] * z[0];
             normal += weight * basis * basis.transpose();
             right += weight * basis * (u[j] - u[i]).transpose();
         }

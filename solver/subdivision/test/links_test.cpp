@@ -1,10 +1,9 @@
 #include "solver/subdivision/links.hpp"
 
-#include "solver/mesh/check.hpp"
-#include "solver/mesh/recipes/pot.hpp"
 #include "solver/mesh/test/test_meshes.hpp"
 #include "solver/subdivision/plain_subdivision.hpp"
 #include "solver/subdivision/test/random.hpp"
+#include "solver/subdivision/test/sound.hpp"
 #include "solver/subdivision/triangle_overlap.hpp"
 
 #include <Eigen/Geometry>
@@ -21,18 +20,7 @@ namespace {
 using Eigen::Vector3d;
 using mesh::TetMesh;
 using mesh::test::kuhn_cube;
-
-void expect_sound(const TetMesh& mesh, const Subdivided& out) {
-    EXPECT_EQ(static_cast<int>(out.mesh.tets.size()), out.counts.after());
-    const Audit found = audit(mesh, out);
-    EXPECT_LE(found.worst_area_error, 1e-12);
-    EXPECT_LE(found.volume_error, 1e-14);
-    EXPECT_EQ(found.asymmetric, 0);
-    EXPECT_EQ(found.unpaired, 0);
-    EXPECT_EQ(found.paired_boundary, 0);
-    EXPECT_GE(found.smallest_share, 1e-4);  // tau = 0.1 (3e-4 on meshes of ordinary shape)
-    mesh::check(out.mesh, "subdivided");
-}
+using test::expect_sound;
 
 TEST(Links, StructuredMeshesCutByPlanesAndDiscs) {
     test::Random random(21);
@@ -50,15 +38,6 @@ TEST(Links, FiftyCuts) {
     std::vector<Cut> cuts;
     for (int i = 0; i < 50; ++i) cuts.push_back(i % 2 == 0 ? random.plane(0, 1) : random.disc(0, 1));
     expect_sound(mesh, subdivide(mesh, cuts));
-}
-
-TEST(Links, ThePotCutBySeveralPlanes) {
-    const TetMesh mesh = mesh::pot(3000).mesh;
-    expect_sound(mesh, subdivide(mesh, {{.centre = {0, 0, 0.1}, .normal = {1, 0.2, 0.1}}}));
-    expect_sound(mesh, subdivide(mesh, {{.centre = {0, 0, 0.1}, .normal = {1, 0.2, 0.1}},
-                                        {.centre = {0, 0, 0.12}, .normal = {0.1, 0.3, 1}},
-                                        {.centre = {0.1, 0, 0.1}, .normal = {0.3, 1, 0.5}, .radius = 0.05},
-                                        {.centre = {0, 0, 0.05}, .normal = {1, -1, 0.2}}}));
 }
 
 TEST(Links, PlanesThroughVerticesEdgesAndFaces) {

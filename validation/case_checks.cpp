@@ -105,7 +105,9 @@ void read_place(TableReader& table, const Case& of, Check& check) {
     if (table.has("at")) check.at = table.vectors("at", dimension::length);
 }
 
-void require_consistency(const TableReader& table, const Check& check) {
+void require_consistency(const TableReader& table, const Check& check, const Case& of) {
+    for (const auto& [solver, band] : check.bands)
+        if (band.order_at_least && !of.shape->uniform_refinement()) table.fail("band", "no order_at_least for a shape whose mesh is graded");
     if (!check.bands.empty() && check.reference.kind == Reference::Kind::none) table.fail("reference", "a reference for the band (the key is missing)");
     if (!check.bands.empty() && check.basis.empty()) table.fail("basis", "why the band is that wide (the key is missing)");
     if (check.must_fail && check.bands.empty()) table.fail("band", "a band for a must-fail twin (the key is missing)");
@@ -148,7 +150,7 @@ Check read_check(TableReader& table, const Defaults& defaults, const Case& of) {
     check.basis = table.string_or("basis", "");
     check.must_fail = table.boolean_or("must_fail", false);
     read_place(table, of, check);
-    require_consistency(table, check);
+    require_consistency(table, check, of);
     return check;
 }
 

@@ -96,6 +96,7 @@ Region::Region(const std::string& text, const Coordinates& coordinates) {
         }
         if (parser.done()) break;
         if (parser.next() != "and") throw std::invalid_argument("'and' between two comparisons");
+        if (parser.done()) throw std::invalid_argument("a comparison after 'and'");
     }
 }
 

@@ -149,14 +149,15 @@ void add_step(const Check& check, std::vector<Row>& rows, LevelSources& sources)
     }
 }
 
-/// The order is taken over N^(-1/3), N the number of tets: a mesh generator meets the size asked for only roughly.
-void conclude(Row& row) {
+/// The order is taken over N^(-1/3), N the number of tets: a mesh generator meets the size asked for only roughly. Meshes whose
+/// parts refine differently have none.
+void conclude(Row& row, bool uniform) {
     std::vector<double> sizes, errors;
     for (const LadderStep& step : row.ladder) {
         sizes.push_back(std::cbrt(1.0 / static_cast<double>(step.resolution.particles)));
         errors.push_back(step.error);
     }
-    if (sizes.size() >= 2)
+    if (uniform && sizes.size() >= 2)
         if (const double order = observed_order(sizes, errors); std::isfinite(order)) row.measurement.order = order;
     row.verdict = judge(row.measurement, row.band, row.must_fail);
 }
@@ -203,7 +204,7 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
     }
     for (std::vector<Row>& of_check : rows)
         for (Row& row : of_check) {
-            conclude(row);
+            conclude(row, of.shape->uniform_refinement());
             run.result.rows.push_back(std::move(row));
         }
     for (const auto& [profile, artifact] : drawn) attach(run.result.rows, *profile, artifact);

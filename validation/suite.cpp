@@ -1,12 +1,12 @@
 #include "validation/suite.hpp"
 
 #include "solver/input/input_error.hpp"
+#include "solver/mesh/gmsh_session.hpp"
 #include "validation/case_checks.hpp"
 #include "validation/solutions.hpp"
 
 #include <Eigen/Core>
 #include <fmt/format.h>
-#include <gmsh.h>
 #include <nlohmann/json.hpp>
 
 #include <fnmatch.h>
@@ -66,11 +66,13 @@ std::vector<fs::path> select_files(const std::vector<std::string>& names) {
             chosen.emplace_back(name);
             continue;
         }
-        const std::size_t before = chosen.size();
-        for (const fs::path& file : shipped)
-            if (fnmatch(name.c_str(), file.stem().c_str(), 0) == 0 && std::find(chosen.begin(), chosen.end(), file) == chosen.end())
-                chosen.push_back(file);
-        if (chosen.size() == before) throw InputError("", name, "the name of a case (see cleave validate --list), a glob, or a .toml file");
+        bool matched = false;
+        for (const fs::path& file : shipped) {
+            if (fnmatch(name.c_str(), file.stem().c_str(), 0) != 0) continue;
+            matched = true;
+            if (std::find(chosen.begin(), chosen.end(), file) == chosen.end()) chosen.push_back(file);
+        }
+        if (!matched) throw InputError("", name, "the name of a case (see cleave validate --list), a glob, or a .toml file");
     }
     return chosen;
 }
@@ -122,7 +124,7 @@ std::string provenance_json(const std::string& level) {
         {"versions",
          {{"cleave", CLEAVE_VERSION},
           {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-          {"gmsh", GMSH_API_VERSION},
+          {"gmsh", mesh::GmshSession::version()},
           {"deal.II", CLEAVE_DEAL_II_VERSION}}}};
     return json.dump(1) + "\n";
 }

@@ -42,6 +42,7 @@ public:
         if (key == "extent") return *std::max_element(extent_.begin(), extent_.end());
         throw std::invalid_argument(fmt::format("one of extent (not '{}')", key));
     }
+    bool uniform_refinement() const override { return true; }
     std::vector<std::string> surface_names() const override { return side_names; }
 
 private:

@@ -6,8 +6,8 @@
 
 namespace cleave::geometry {
 
-/// The .msh of a recipe in `folder`: found there, or made by `build` (which leaves a model in the current Gmsh session to be
-/// meshed in 3D and written). The file's name carries a hash of `recipe`, which must name every parameter of the mesh.
+/// The .msh of a recipe in `folder`: found there, or made: `build` leaves a model in the current Gmsh session,
+/// which is meshed in 3D. The file's name carries a hash of `recipe`, which must name every parameter of the mesh.
 /// Throws InputError at `recipe` where Gmsh cannot mesh it, EnvironmentError where the folder cannot be written.
 std::filesystem::path cached_mesh(const std::filesystem::path& folder, const std::string& name, const std::string& recipe,
                                   const std::function<void()>& build);

@@ -36,7 +36,7 @@ public:
     explicit PlateWithHole(const Plate& plate) : plate_(plate) {}
 
     Body mesh(double size, const std::filesystem::path& folder) const override {
-        const std::string recipe = fmt::format("plate 2 {} {} {} {} {} size {}", plate_.hole_radius, plate_.half_width, plate_.thickness,
+        const std::string recipe = fmt::format("plate 6 {} {} {} {} {} size {}", plate_.hole_radius, plate_.half_width, plate_.thickness,
                                                plate_.layers, plate_.quarter, size);
         Body body;
         body.mesh_file = cached_mesh(folder, "plate_with_hole", recipe, [&] { build(size); });
@@ -59,6 +59,7 @@ public:
         if (key == "thickness") return plate_.thickness;
         throw std::invalid_argument(fmt::format("one of hole_radius, half_width, thickness (not '{}')", key));
     }
+    bool uniform_refinement() const override { return false; }
     std::vector<std::string> surface_names() const override { return plate_.quarter ? quarter_names : full_names; }
 
 private:
@@ -106,9 +107,10 @@ private:
         const auto size_at = [a, size](double x, double y) {
             const double r = std::hypot(x, y);
             const double ring = r < 2 * a ? size / 3 + (size - size / 3) * std::max(0.0, r / a - 1) : size + 0.3 * std::max(0.0, r - 3 * a);
-            // Stiff fibres squeeze the stress peak into a few hundredths of the radius beside the poles of the hole.
+            // Stiff fibres squeeze the stress peak into a few hundredths of the radius beside the poles of the hole. The rim is a
+            // polygon: facets of length c d at distance d change its curvature at the pole by c^2/4, hence the slow growth c.
             const double pole = std::min(std::hypot(x, std::abs(y) - a), std::hypot(std::abs(x) - a, y));
-            return std::min(ring, size / 12 + 0.25 * pole);
+            return std::min(ring, size / 20 + 0.12 * pole);
         };
         gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
         gmsh::option::setNumber("Mesh.MeshSizeMin", 0);

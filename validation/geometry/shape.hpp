@@ -28,6 +28,8 @@ public:
     virtual validation::Coordinates coordinates() const = 0;
     /// A length of the shape by its key, for `relative_to` and analytic solutions. Throws std::invalid_argument.
     virtual double length(const std::string& key) const = 0;
+    /// True where a smaller size refines every part of the mesh alike, so that an observed order means something.
+    virtual bool uniform_refinement() const = 0;
     /// Names that loads may use in `on`.
     virtual std::vector<std::string> surface_names() const = 0;
 };

@@ -100,6 +100,14 @@ std::string MshText::version_4() const {
     return text + "$EndElements\n";
 }
 
+MshText single_tet() {
+    MshText mesh;
+    mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    mesh.tets = {{{0, 1, 2, 3}, 1}};
+    mesh.triangles = {{{0, 2, 1}, 5}, {{0, 1, 3}, 6}};
+    return mesh;
+}
+
 MshText box_mesh(const Box& box) {
     MshText mesh;
     const auto& [nx, ny, nz] = box.counts;

@@ -28,6 +28,9 @@ struct MshText {
     std::string version_4() const;
 };
 
+/// The unit tet, element 3, with two of its faces as the surfaces 5 (z = 0) and 6 (y = 0).
+MshText single_tet();
+
 /// A box cut into counts[0] * counts[1] * counts[2] bricks of six tets (Kuhn 1960). Its sides are the surfaces 1 (x low), 2 (x high), 3 (y
 /// low), ... 6.
 struct Box {

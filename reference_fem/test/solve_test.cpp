@@ -172,6 +172,20 @@ TEST(IterativeSolver, IterationsDoNotGrowWithTheMesh) {
     EXPECT_LT(fine, 40);
 }
 
+TEST(Solution, QuadratureWeightsSumToTheVolume) {
+    Problem problem;
+    problem.mesh_file = write_box("weights.msh", {.low = {0, 0, 0}, .high = {2, 3, 4}});
+    problem.regions = {{1, triclinic()}};
+    problem.displacements = {{1, {true, true, true}, [](const Point&) { return Point{}; }}};
+    const Solution solution = solve(problem);
+    for (const int order : {1, 2, 3, 4}) {
+        double volume = 0;
+        for (const FieldSample& sample : solution.quadrature_samples(order)) volume += sample.weight;
+        EXPECT_NEAR(volume, 24, 24e-13) << order;
+    }
+    EXPECT_THROW(solution.quadrature_samples(5), Error);
+}
+
 TEST(AutomaticSolver, ChangesAtTheLimit) {
     const Problem problem = cantilever(write_box("limit.msh", {}), triclinic());
     EXPECT_EQ(solve(problem).record().solver, "cholmod");

@@ -8,7 +8,9 @@
 
 namespace cleave::mesh {
 double signed_volume(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
-    return (b - a).cross(c - a).dot(d - a) / 6.0;
+    const Eigen::Vector3d normal = (b - a).cross(c - a), height = d - a;
+    // Written out, so that the order of rounding is fixed: a vectorised form has to give the same bits.
+    return ((normal[0] * height[0] + normal[1] * height[1]) + normal[2] * height[2]) / 6.0;
 }
 
 double tet_volume(const TetMesh& mesh, int tet) {

@@ -11,14 +11,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-void require_valid(const Cut& cut, double tau) {
-    const double length = cut.normal.norm();
-    if (!(length > 0) || !std::isfinite(length)) throw std::invalid_argument("Cut: the normal must have a finite length above 0");
-    if (!cut.centre.allFinite()) throw std::invalid_argument("Cut: the centre must be finite");
-    if (!(cut.radius > 0)) throw std::invalid_argument("Cut: the radius must be positive");
-    if (!(tau >= 0 && tau < 0.5)) throw std::invalid_argument("tau must lie in [0, 0.5)");
-}
-
 /// The cut polygon of a tet in order around it: 3 points (one vertex alone) or 4.
 struct CutPolygon {
     std::array<Vector3d, 4> points;
@@ -45,6 +37,18 @@ CutPolygon cut_polygon(const std::array<Vector3d, 4>& corners, const std::array<
 
 }  // namespace
 
+Cut checked(const Cut& cut) {
+    const double length = cut.normal.norm();
+    if (!(length > 0) || !std::isfinite(length)) throw std::invalid_argument("Cut: the normal must have a finite length above 0");
+    if (!cut.centre.allFinite()) throw std::invalid_argument("Cut: the centre must be finite");
+    if (!(cut.radius > 0)) throw std::invalid_argument("Cut: the radius must be positive");
+    return {.centre = cut.centre, .normal = cut.normal / length, .radius = cut.radius};
+}
+
+void require_valid_tau(double tau) {
+    if (!(tau >= 0 && tau < 0.5)) throw std::invalid_argument("tau must lie in [0, 0.5)");
+}
+
 std::vector<double> shortest_incident_edges(const mesh::TetMesh& mesh) {
     std::vector<double> shortest(mesh.vertices.size(), std::numeric_limits<double>::infinity());
     for (const auto& tet : mesh.tets) {
@@ -63,11 +67,11 @@ std::vector<double> shortest_incident_edges(const mesh::TetMesh& mesh) {
 
 std::vector<double> vertex_distances(const std::vector<Vector3d>& vertices, const std::vector<double>& shortest_edges, const Cut& cut,
                                      double tau) {
-    require_valid(cut, tau);
-    const Vector3d normal = cut.normal.normalized();
+    require_valid_tau(tau);
+    const Cut plane = checked(cut);
     std::vector<double> distances(vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) {
-        const double distance = normal.dot(vertices[v] - cut.centre);
+        const double distance = plane_distance(plane.normal, plane.centre, vertices[v]);
         const double raised = std::max(std::abs(distance), tau * shortest_edges[v]);
         distances[v] = distance >= 0 ? raised : -raised;
     }

@@ -23,9 +23,21 @@ std::vector<double> shortest_incident_edges(const mesh::TetMesh& mesh);
 /// Signed distance of each vertex to the cut's plane, m: d >= 0 is the '+' side, and |d| is raised to at least
 /// tau * shortest_edge. A rule per VERTEX, so that all tets around it agree and the cut stays conforming: it runs along the plane,
 /// but passes vertices at a distance. tau = 0.1 keeps children above 3e-4 of their parent; tau = 0 does not bound them.
-/// Throws std::invalid_argument for a normal of length zero or not finite, a radius that is not positive, tau outside [0, 0.5).
+/// Throws std::invalid_argument for a bad cut or tau (see checked and require_valid_tau).
 std::vector<double> vertex_distances(const std::vector<Eigen::Vector3d>& vertices, const std::vector<double>& shortest_edges,
                                      const Cut& cut, double tau);
+
+/// normal . (x - centre), the order of rounding fixed.
+inline double plane_distance(const Eigen::Vector3d& normal, const Eigen::Vector3d& centre, const Eigen::Vector3d& x) {
+    return (normal[0] * (x[0] - centre[0]) + normal[1] * (x[1] - centre[1])) + normal[2] * (x[2] - centre[2]);
+}
+
+/// The cut with its normal made a unit vector. Throws std::invalid_argument for a normal of length zero or not finite, a centre
+/// that is not finite, a radius that is not positive.
+Cut checked(const Cut& cut);
+
+/// Throws std::invalid_argument for tau outside [0, 0.5).
+void require_valid_tau(double tau);
 
 /// Where the cut passes the edge from a (distance da) to b (db, of the other sign): a + da/(da-db) (b-a), m.
 /// Evaluated from the vertex of the smaller number, so that every tet around the edge gets the same bits.

@@ -1,7 +1,5 @@
 #include "solver/subdivision/links.hpp"
 
-#include "solver/subdivision/triangle_overlap.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -23,11 +21,6 @@ int original_half_face(const Subdivided& subdivided, int half_face) {
     return face < 0 ? -1 : 4 * subdivided.parent[half_face / 4] + face;
 }
 
-/// The unlinked pieces on the two sides of an original face.
-struct TwoSides {
-    std::vector<int> low, high;  ///< half faces of the result, by the side's original half face
-};
-
 /// Keyed by the smaller original half face.
 std::map<int, TwoSides> unlinked_pieces(const mesh::HalfFaceLinks& original, const Subdivided& subdivided) {
     std::map<int, TwoSides> faces;
@@ -40,18 +33,6 @@ std::map<int, TwoSides> unlinked_pieces(const mesh::HalfFaceLinks& original, con
         (here < there ? sides.low : sides.high).push_back(h);
     }
     return faces;
-}
-
-void link_pieces(const TwoSides& sides, const Triangle& face, Subdivided& subdivided) {
-    const FaceFrame frame(face);
-    const double threshold = no_overlap * triangle_area(face);
-    for (const int low : sides.low) {
-        const FlatTriangle a = frame.flat(triangle_of(subdivided.mesh, low));
-        for (const int high : sides.high) {
-            const double shared = overlap_area(a, frame.flat(triangle_of(subdivided.mesh, high)));
-            if (shared > threshold) subdivided.extra_links.push_back({std::min(low, high), std::max(low, high), shared});
-        }
-    }
 }
 
 double longest_edge(const mesh::TetMesh& mesh, int tet) {
@@ -120,10 +101,28 @@ void find_links(const mesh::TetMesh& original, Subdivided& subdivided) {
     subdivided.links = mesh::link_half_faces(subdivided.mesh);
     subdivided.extra_links.clear();
     const auto faces = unlinked_pieces(mesh::link_half_faces(original), subdivided);
-    for (const auto& [face, sides] : faces) link_pieces(sides, triangle_of(original, face), subdivided);
-    std::sort(subdivided.extra_links.begin(), subdivided.extra_links.end(), [](const ExtraLink& a, const ExtraLink& b) {
-        return a.first != b.first ? a.first < b.first : a.second < b.second;
-    });
+    const auto triangle = [&](int half_face) { return triangle_of(subdivided.mesh, half_face); };
+    for (const auto& [face, sides] : faces) link_pieces(sides, triangle_of(original, face), triangle, subdivided.extra_links);
+}
+
+void link_pieces(const TwoSides& sides, const Triangle& face, const std::function<Triangle(int)>& triangle, std::vector<ExtraLink>& links) {
+    const auto add = [&](int low, int high, double area) { links.push_back({std::min(low, high), std::max(low, high), area}); };
+    if (sides.low.size() == 1 || sides.high.size() == 1) {
+        // One triangle covers the face: it shares with each piece all of that piece.
+        for (const int low : sides.low) {
+            for (const int high : sides.high) add(low, high, triangle_area(triangle(sides.low.size() == 1 ? high : low)));
+        }
+        return;
+    }
+    const FaceFrame frame(face);
+    const double threshold = no_overlap * triangle_area(face);
+    for (const int low : sides.low) {
+        const FlatTriangle a = frame.flat(triangle(low));
+        for (const int high : sides.high) {
+            const double shared = overlap_area(a, frame.flat(triangle(high)));
+            if (shared > threshold) add(low, high, shared);
+        }
+    }
 }
 
 Audit audit(const mesh::TetMesh& original, const Subdivided& subdivided) {

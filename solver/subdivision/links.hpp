@@ -2,6 +2,10 @@
 
 #include "solver/mesh/tet_mesh.hpp"
 #include "solver/subdivision/subdivided.hpp"
+#include "solver/subdivision/triangle_overlap.hpp"
+
+#include <functional>
+#include <vector>
 
 namespace cleave::subdivision {
 
@@ -11,6 +15,15 @@ namespace cleave::subdivision {
 /// and 5-5 (cut by different planes); those are linked by the area of their overlap. Overlaps under 1e-14 of the original
 /// face are rounding (triangles that share an edge) and no links.
 void find_links(const mesh::TetMesh& original, Subdivided& subdivided);
+
+/// The pieces on the two sides of an original face that does not conform: half faces of the result, ascending.
+struct TwoSides {
+    std::vector<int> low, high;  ///< on the side of the smaller original half face, and on the other
+};
+
+/// Appends the extra links between the two sides, low by low, high by high. `face` is the whole face seen from the side of the
+/// smaller original half face, `triangle` gives the corners of a half face of the result.
+void link_pieces(const TwoSides& sides, const Triangle& face, const std::function<Triangle(int)>& triangle, std::vector<ExtraLink>& links);
 
 /// What a subdivided mesh breaks: worst figures over all half faces.
 struct Audit {

@@ -1,6 +1,7 @@
 #include "solver/subdivision/plain_subdivision.hpp"
 
 #include "solver/subdivision/links.hpp"
+#include "solver/subdivision/surface_tags.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -110,16 +111,14 @@ void PlainSubdivision::create_face_points(const std::vector<Parent>& parents, Ne
             if (f == cut.base_face) {
                 if (!barycentres_.contains(face)) positions[face] = (mesh_.vertices[a] + mesh_.vertices[b] + mesh_.vertices[c]) / 3;
             } else if ((cut.quad_faces >> f & 1U) != 0) {
-                Vector3d sum = Vector3d::Zero();
                 // The two vertices that share a side, then the two cut points, each pair in ascending order.
-                for (const auto& [i, j] : {std::pair(a, b), std::pair(a, c), std::pair(b, c)}) {
-                    if (!points.edges.contains({i, j})) sum += mesh_.vertices[i] + mesh_.vertices[j];
-                }
+                std::vector<Vector3d> same_side, cut_points;
                 for (const auto& [i, j] : {std::pair(a, b), std::pair(a, c), std::pair(b, c)}) {
                     const auto cut_point = points.edges.find({i, j});
-                    if (cut_point != points.edges.end()) sum += mesh_.vertices[cut_point->second];
+                    if (cut_point != points.edges.end()) cut_points.push_back(mesh_.vertices[cut_point->second]);
+                    else same_side = {mesh_.vertices[i], mesh_.vertices[j]};
                 }
-                positions[face] = sum / 4;
+                positions[face] = ((same_side.at(0) + same_side.at(1)) + (cut_points.at(0) + cut_points.at(1))) / 4;
                 points.quads[face] = -1;
             }
         }
@@ -132,12 +131,12 @@ void PlainSubdivision::create_face_points(const std::vector<Parent>& parents, Ne
 }
 
 int PlainSubdivision::add_centre(const Parent& parent, const NewPoints& points) {
-    Vector3d sum = Vector3d::Zero();
+    std::vector<Vector3d> ring;
     for (int e = 0; e < 6; ++e) {
         const auto cut_point = points.edges.find(edge_of(parent.sorted, e));
-        if (cut_point != points.edges.end()) sum += mesh_.vertices[cut_point->second];
+        if (cut_point != points.edges.end()) ring.push_back(mesh_.vertices[cut_point->second]);
     }
-    return add_vertex(sum / 4);
+    return add_vertex((((ring.at(0) + ring.at(1)) + ring.at(2)) + ring.at(3)) / 4);
 }
 
 std::array<int, 15> PlainSubdivision::point_numbers(const Parent& parent, const NewPoints& points, int centre) const {
@@ -182,36 +181,6 @@ void append(Subdivided& out, const std::array<int, 4>& tet, int parent, int cut,
     out.cut.push_back(cut);
     out.side.push_back(side);
     out.parent_face.insert(out.parent_face.end(), parent_face.begin(), parent_face.end());
-}
-
-/// Tagged triangles of faces that were cut are replaced by their pieces, in the triangle's own orientation.
-std::vector<mesh::SurfaceTriangle> cut_surface(const mesh::TetMesh& original, const Subdivided& out) {
-    std::vector<std::vector<int>> pieces(4 * original.tets.size());  // half faces of children, by original half face
-    for (std::size_t h = 0; h < out.parent_face.size(); ++h) {
-        if (out.cut[h / 4] < 0 || out.parent_face[h] < 0) continue;
-        pieces[4 * out.parent[h / 4] + out.parent_face[h]].push_back(static_cast<int>(h));
-    }
-    const std::vector<mesh::SortedFace> faces = mesh::sorted_faces(original);
-    std::vector<mesh::SurfaceTriangle> surface;
-    for (const mesh::SurfaceTriangle& triangle : original.surface) {
-        mesh::SortedFace key{triangle.vertices, -1};
-        std::sort(key.vertices.begin(), key.vertices.end());
-        auto at = std::upper_bound(faces.begin(), faces.end(), key);
-        while (at != faces.end() && at->vertices == key.vertices && pieces[at->half_face].empty()) ++at;
-        if (at == faces.end() || at->vertices != key.vertices) {
-            surface.push_back(triangle);
-            continue;
-        }
-        const auto corners = mesh::face_of(original.tets[at->half_face / 4], at->half_face % 4);
-        const auto first = std::find(triangle.vertices.begin(), triangle.vertices.end(), corners[0]) - triangle.vertices.begin();
-        const bool outward = triangle.vertices[(first + 1) % 3] == corners[1];
-        for (const int piece : pieces[at->half_face]) {
-            auto [a, b, c] = mesh::face_of(out.mesh.tets[piece / 4], piece % 4);
-            if (!outward) std::swap(b, c);
-            surface.push_back({{a, b, c}, triangle.id});
-        }
-    }
-    return surface;
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ std::vector<Row> empty_rows(const Check& check, const Case& of) {
             row.reference_source = reference_source(check, of);
             row.band = check.band(solver);
             row.relative = !row.band.absolute;
-            row.basis = check.basis;
+            if (!row.band.empty()) row.basis = check.basis;
             row.must_fail = check.must_fail;
             if (check.observable.quantity == "energy")
                 row.place = "whole body";

@@ -97,7 +97,7 @@ expect "a broken shard" 2 "--shard" "$validate" good.toml --shard 3/2 --out bad
 expect "a good file and a bad one" 2 "misspelt.toml" "$validate" good.toml misspelt.toml --out bad
 expect "an unwritable folder" 3 "/proc" "$validate" good.toml --out /proc/cleave
 expect "the list" 0 "hole_orthotropic" "$validate" --list
-expect "a material by file" 0 "16.74" "$material" M.toml
+expect "a material by file" 0 "16.737" "$material" M.toml
 expect "a material by file, as JSON" 0 "16.737" "$material" M.toml --json
 expect "a material that is not positive definite" 2 "indefinite_material.toml" "$material" indefinite_material.toml --json
 expect "an unknown material" 2 "unobtainium" "$material" unobtainium

@@ -100,6 +100,38 @@ Eigen::Matrix3d face_gradient(const ConformingBody& body, int particle, const st
     return sum / body.particles.volume[particle];
 }
 
+std::vector<Eigen::Matrix3d> smoothed_gradients(const ConformingBody& body, const std::vector<Eigen::Matrix3d>& gradient) {
+    std::vector<Eigen::Matrix3d> smoothed(gradient.size());
+    const std::vector<int>& material = body.solid.material;
+    parallel_for_each(body.particles.size(), [&](int i) {
+        Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+        for (int k = 0; k < 4; ++k) {
+            const int f = body.faces.of_half_face[4 * i + k];
+            const Face& face = body.faces.faces[f];
+            const bool interface = !face.is_boundary() && material[face.inside] != material[face.outside];
+            for (std::size_t n = body.traces.offset[f]; n < body.traces.offset[f + 1]; ++n) {
+                const int j = body.traces.particle[n];
+                // An interface's trace is the mean of two fits, told apart by their particles' material: twice the own half.
+                if (interface && material[j] != material[i]) continue;
+                sum += (interface ? 0.5 : 0.25) * body.traces.weight[n] * gradient[j];
+            }
+        }
+        smoothed[i] = sum;
+    });
+    return smoothed;
+}
+
+Fields fields_of_gradients(const ConformingBody& body, std::vector<Eigen::Matrix3d> gradient) {
+    const std::size_t count = gradient.size();
+    Fields fields{std::move(gradient), std::vector<material::Voigt>(count), std::vector<material::Voigt>(count), std::vector<double>(count)};
+    parallel_for_each(static_cast<int>(count), [&](int i) {
+        fields.strain[i] = strain_of(fields.gradient[i]);
+        fields.stress[i] = body.solid.of(i) * fields.strain[i];
+        fields.energy[i] = strain_energy(body.particles.volume[i], fields.strain[i], fields.stress[i]);
+    });
+    return fields;
+}
+
 GradientStencils gradient_stencils(const ConformingBody& body) {
     GradientStencils stencils;
     stencils.offset.push_back(0);

@@ -43,6 +43,14 @@ void face_displacements(const ConformingBody& body, const std::vector<Eigen::Vec
 /// grad u of one particle from the displacements of all faces.
 Eigen::Matrix3d face_gradient(const ConformingBody& body, int particle, const std::vector<Eigen::Vector3d>& trace);
 
+/// Gradients smoothed: each the mean over its tet's faces of the gradients' traces (the fits that displacements take, from the tet's own
+/// side of an interface). Keeps linear gradients, since the mean of the face centroids is the tet's. A trace's fit scatters by O(h) in
+/// the gradient it makes; neighbours' scatter averages out.
+std::vector<Eigen::Matrix3d> smoothed_gradients(const ConformingBody& body, const std::vector<Eigen::Matrix3d>& gradient);
+
+/// Strain, stress and energy of given gradients.
+Fields fields_of_gradients(const ConformingBody& body, std::vector<Eigen::Matrix3d> gradient);
+
 /// The operator by particles, (grad u)_i = sum_k u_k (x) b_ik, its own entry b_ii included (the b_ik of an i sum to zero).
 struct GradientStencils {
     std::vector<std::size_t> offset;

@@ -14,9 +14,7 @@ namespace cleave::elasticity {
 
 namespace {
 
-using Basis = Eigen::Vector4d;
-
-/// Directions with less of the moment matrix than this part of its largest eigenvalue are not spanned.
+/// Directions with less of the scatter matrix than this part of its largest eigenvalue are not spanned.
 constexpr double spanned = 1e-12;
 
 /// The spiky kernel's shape (Eq. 4); its factor cancels in a fit.
@@ -37,32 +35,49 @@ Weighed kernel_weights(const particles::Particles& particles, const Eigen::Vecto
         result.phi.push_back(particles.volume[k] * bell((tensor * (particles.position[k] - x)).norm()));
         total += result.phi.back();
     }
+    if (!(total > 0)) return result;
     for (double& weight : result.phi) weight /= total;
     result.least_moment = result.sum = 1;
     return result;
 }
 
-/// Moving least squares at x: phi_k = w_k p_k^T M^-1 p(x), M = sum w p p^T, p = (1, G (x_k - x)). Directions M does not span are left
-/// out (pseudo-inverse).
+/// Smallest over largest eigenvalue of the scaled moment matrix M = sum w p p^T, p = (1, r), from the mean of r and its scatter.
+double moment_ratio(const Eigen::Vector3d& mean, const Eigen::Matrix3d& scatter) {
+    Eigen::Matrix4d moment;
+    moment << 1, mean.transpose(), mean, scatter + mean * mean.transpose();
+    const Eigen::Vector4d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(moment, Eigen::EigenvaluesOnly).eigenvalues();
+    return std::max(values(0), 0.0) / values(3);
+}
+
+/// Inverse of a scatter matrix on the directions it spans.
+Eigen::Matrix3d pseudo_inverse(const Eigen::Matrix3d& scatter) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(scatter);
+    Eigen::Vector3d reciprocal = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k)
+        if (eigen.eigenvalues()(k) > spanned * std::max(eigen.eigenvalues()(2), spanned)) reciprocal(k) = 1 / eigen.eigenvalues()(k);
+    return eigen.eigenvectors() * reciprocal.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+/// Moving least squares of order 1 at x, r_k = G (x_k - x), written about the weighted mean m of the r_k with their scatter S:
+/// phi_k = w_k (1 - m . S^-1 (r_k - m)). The same as w_k p_k^T M^-1 p(x) with p = (1, r), and exact for constants even where the r_k lie in
+/// a plane and S has a pseudo-inverse only.
 Weighed weigh(const particles::Particles& particles, const Eigen::Vector3d& x, const Eigen::Matrix3d& tensor, const std::vector<int>& seen,
               int order) {
     Weighed result = kernel_weights(particles, x, tensor, seen);
-    if (order == 0 || seen.empty()) return result;
-    std::vector<Basis> basis(seen.size());
-    Eigen::Matrix4d moment = Eigen::Matrix4d::Zero();
+    if (order == 0 || result.least_moment == 0) return result;
+    std::vector<Eigen::Vector3d> r(seen.size());
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (std::size_t n = 0; n < seen.size(); ++n) {
-        basis[n] << 1, tensor * (particles.position[seen[n]] - x);
-        moment += result.phi[n] * basis[n] * basis[n].transpose();
+        r[n] = tensor * (particles.position[seen[n]] - x);
+        mean += result.phi[n] * r[n];
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(moment);
-    const Eigen::Vector4d values = eigen.eigenvalues();
-    Basis coefficient = Basis::Zero();
-    for (int k = 0; k < 4; ++k)
-        if (values(k) > spanned * values(3)) coefficient += eigen.eigenvectors()(0, k) / values(k) * eigen.eigenvectors().col(k);
-    result.least_moment = std::max(values(0), 0.0) / values(3);
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for (std::size_t n = 0; n < seen.size(); ++n) scatter += result.phi[n] * (r[n] - mean) * (r[n] - mean).transpose();
+    const Eigen::Vector3d slope = pseudo_inverse(scatter) * mean;
+    result.least_moment = moment_ratio(mean, scatter);
     result.sum = 0;
     for (std::size_t n = 0; n < seen.size(); ++n) {
-        result.phi[n] *= coefficient.dot(basis[n]);
+        result.phi[n] *= 1 - slope.dot(r[n] - mean);
         result.sum += std::abs(result.phi[n]);
     }
     return result;

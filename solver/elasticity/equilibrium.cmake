@@ -12,5 +12,6 @@ cleave_library(cleave_equilibrium
 target_include_directories(cleave_equilibrium SYSTEM PRIVATE ${CLEAVE_SUITESPARSE_INCLUDE})
 
 cleave_test(equilibrium_test
-  SOURCES test/equilibrium_patch_test.cpp
+  SOURCES test/conforming_test.cpp test/equilibrium_patch_test.cpp test/equilibrium_operator_test.cpp test/equilibrium_test.cpp
+          test/energy_release_test.cpp
   LINK cleave_equilibrium)

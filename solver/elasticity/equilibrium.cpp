@@ -7,17 +7,10 @@ namespace cleave::elasticity {
 
 namespace {
 
-Fields fields_of(const ConformingBody& body, const Vectors& trace) {
-    const int count = body.particles.size();
-    Fields fields{std::vector<Eigen::Matrix3d>(count), std::vector<material::Voigt>(count), std::vector<material::Voigt>(count),
-                  std::vector<double>(count)};
-    parallel_for_each(count, [&](int i) {
-        fields.gradient[i] = face_gradient(body, i, trace);
-        fields.strain[i] = strain_of(fields.gradient[i]);
-        fields.stress[i] = body.solid.of(i) * fields.strain[i];
-        fields.energy[i] = strain_energy(body.particles.volume[i], fields.strain[i], fields.stress[i]);
-    });
-    return fields;
+std::vector<Eigen::Matrix3d> gradients(const ConformingBody& body, const Vectors& trace) {
+    std::vector<Eigen::Matrix3d> gradient(body.particles.size());
+    parallel_for_each(body.particles.size(), [&](int i) { gradient[i] = face_gradient(body, i, trace); });
+    return gradient;
 }
 
 std::vector<BoundaryTrace> boundary_traces(const EquilibriumSystem& system, const Vectors& trace) {
@@ -29,11 +22,6 @@ std::vector<BoundaryTrace> boundary_traces(const EquilibriumSystem& system, cons
     return boundary;
 }
 
-/// The rigid motion of a free body is nobody's to know: its displacement is given without.
-void remove_rigid_part(const EquilibriumSystem& system, Vectors& displacement) {
-    RigidMotions(system.body->particles.position, system.piece, system.body->particles.volume).remove_from(displacement);
-}
-
 }  // namespace
 
 EquilibriumSolution solve_equilibrium(const EquilibriumProblem& problem, const EquilibriumOptions& options) {
@@ -43,21 +31,23 @@ EquilibriumSolution solve_equilibrium(const EquilibriumProblem& problem, const E
     const Vectors inertia = inertia_forces(problem, system);
     solution.report.traces = solution.body->stencils.report;
     solve_system(system, options, inertia, solution.displacement, solution.report);
-    if (problem.free_body) remove_rigid_part(system, solution.displacement);
+    if (problem.free_body) {
+        // The rigid motion of a free body is nobody's to know: its displacement is given without.
+        const particles::Particles& particles = solution.body->particles;
+        RigidMotions(particles.position, system.piece, particles.volume).remove_from(solution.displacement);
+    }
 
     Vectors trace;
     face_displacements(*solution.body, solution.displacement, trace);
-    solution.fields = fields_of(*solution.body, trace);
+    solution.fields = fields_of_gradients(*solution.body, gradients(*solution.body, trace));
+    solution.recovered = fields_of_gradients(*solution.body, smoothed_gradients(*solution.body, solution.fields.gradient));
     solution.boundary = boundary_traces(system, trace);
     solution.strain_energy = solution.fields.total_energy();
     solution.link_energy = link_energy(system.energy, solution.displacement);
     solution.external_work = dot(system.external_force, solution.displacement);
     solution.potential = system.potential(solution.displacement, inertia);
-    for (std::size_t i = 0; i < inertia.size(); ++i) {
-        const auto density = problem.density.find(solution.body->particles.region[i]);
-        const double mass = solution.body->particles.volume[i] * (density == problem.density.end() ? 1.0 : density->second);
-        solution.acceleration.push_back(inertia[i] / mass);
-    }
+    const std::vector<double> mass = masses(problem, solution.body->particles);
+    for (std::size_t i = 0; i < inertia.size(); ++i) solution.acceleration.push_back(inertia[i] / mass[i]);
     return solution;
 }
 

@@ -77,7 +77,8 @@ struct EquilibriumReport {
 struct EquilibriumSolution {
     std::shared_ptr<const ConformingBody> body;  ///< its particles, faces and traces
     std::vector<Eigen::Vector3d> displacement;  ///< m
-    Fields fields;                              ///< gradient, strain, stress (Pa), strain energy (J) of each particle
+    Fields fields;                              ///< gradient, strain, stress (Pa), strain energy (J) of each particle, as solved
+    Fields recovered;                           ///< the same smoothed (recovered_fields): half the error where the stress is smooth
     double strain_energy = 0;     ///< J, sum of V eps:C:eps / 2
     double link_energy = 0;       ///< J, of the link penalty: small where the field is resolved
     double external_work = 0;     ///< J, tractions, pressures and body forces times their displacement; twice the energy where nothing is

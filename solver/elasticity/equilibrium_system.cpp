@@ -79,16 +79,20 @@ EquilibriumSystem make_system(const EquilibriumProblem& problem, double link_pen
     return system;
 }
 
-Vectors inertia_forces(const EquilibriumProblem& problem, const EquilibriumSystem& system) {
-    if (!problem.free_body) return {};
-    const particles::Particles& particles = system.body->particles;
+std::vector<double> masses(const EquilibriumProblem& problem, const particles::Particles& particles) {
     std::vector<double> mass;
     for (int i = 0; i < particles.size(); ++i) {
         const auto density = problem.density.find(particles.region[i]);
         mass.push_back(particles.volume[i] * (density == problem.density.end() ? 1.0 : density->second));
         if (!(mass.back() > 0)) throw std::invalid_argument("a positive density");
     }
-    Vectors inertia = RigidMotions(particles.position, system.piece, mass).response(system.external_force);
+    return mass;
+}
+
+Vectors inertia_forces(const EquilibriumProblem& problem, const EquilibriumSystem& system) {
+    if (!problem.free_body) return {};
+    const std::vector<double> mass = masses(problem, system.body->particles);
+    Vectors inertia = RigidMotions(system.body->particles.position, system.piece, mass).response(system.external_force);
     for (std::size_t i = 0; i < inertia.size(); ++i) inertia[i] *= mass[i];
     return inertia;
 }

@@ -32,6 +32,9 @@ EquilibriumSystem make_system(const EquilibriumProblem& problem, double link_pen
 void solve_system(const EquilibriumSystem& system, const EquilibriumOptions& options, const Vectors& inertia, Vectors& displacement,
                   EquilibriumReport& report);
 
+/// Mass (kg) of every particle; density 1 where the problem gives none. Throws std::invalid_argument where it is not positive.
+std::vector<double> masses(const EquilibriumProblem& problem, const particles::Particles& particles);
+
 /// Mass times acceleration (N per particle) that balances the load on a free body, piece by piece. Empty for a held body.
 Vectors inertia_forces(const EquilibriumProblem& problem, const EquilibriumSystem& system);
 

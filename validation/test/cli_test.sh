@@ -1,8 +1,8 @@
 #!/bin/sh
 # The program as a user meets it: exit codes, one line per mistake, nothing half-written, the same bytes twice.
-#   cli_test.sh CLEAVE_VALIDATE CLEAVE_MATERIAL SCHEMA FOLDER
+#   cli_test.sh CLEAVE_VALIDATE CLEAVE_MATERIAL SCHEMA README FOLDER
 set -u
-validate=$1 material=$2 schema=$3 work=$4
+validate=$1 material=$2 schema=$3 readme=$4 work=$5
 rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
 failures=0 checks=0
 
@@ -101,6 +101,11 @@ expect "a material by file" 0 "16.737" "$material" M.toml
 expect "a material by file, as JSON" 0 "16.737" "$material" M.toml --json
 expect "a material that is not positive definite" 2 "indefinite_material.toml" "$material" indefinite_material.toml --json
 expect "an unknown material" 2 "unobtainium" "$material" unobtainium
+
+# The README's examples work as they stand there: a case and a material.
+awk '/^```toml/ { file = "readme_" ++n ".toml"; next } /^```/ { file = "" } file { print > file }' "$readme"
+expect "the README's case" 0 "1 passed, 0 failed" "$validate" readme_1.toml --out readme
+expect "the README's material" 0 "orthotropic" "$material" readme_2.toml
 
 [ -e bad ] && { failures=$((failures + 1)); echo "FAILED: bad input left something behind: $(ls bad)"; }
 

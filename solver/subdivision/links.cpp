@@ -21,7 +21,11 @@ int original_half_face(const Subdivided& subdivided, int half_face) {
     return face < 0 ? -1 : 4 * subdivided.parent[half_face / 4] + face;
 }
 
-/// Keyed by the smaller original half face.
+struct TwoSides {
+    FaceSide low, high;
+};
+
+/// The unlinked pieces on the two sides of original faces, by the smaller original half face.
 std::map<int, TwoSides> unlinked_pieces(const mesh::HalfFaceLinks& original, const Subdivided& subdivided) {
     std::map<int, TwoSides> faces;
     const int half_faces = static_cast<int>(subdivided.links.opposite.size());
@@ -30,7 +34,7 @@ std::map<int, TwoSides> unlinked_pieces(const mesh::HalfFaceLinks& original, con
         const int there = here < 0 ? -1 : original.opposite[here];
         if (there < 0) continue;
         TwoSides& sides = faces[std::min(here, there)];
-        (here < there ? sides.low : sides.high).push_back(h);
+        (here < there ? sides.low : sides.high).add(h, triangle_of(subdivided.mesh, h));
     }
     return faces;
 }
@@ -101,26 +105,28 @@ void find_links(const mesh::TetMesh& original, Subdivided& subdivided) {
     subdivided.links = mesh::link_half_faces(subdivided.mesh);
     subdivided.extra_links.clear();
     const auto faces = unlinked_pieces(mesh::link_half_faces(original), subdivided);
-    const auto triangle = [&](int half_face) { return triangle_of(subdivided.mesh, half_face); };
-    for (const auto& [face, sides] : faces) link_pieces(sides, triangle_of(original, face), triangle, subdivided.extra_links);
+    for (const auto& [face, sides] : faces) link_pieces(sides.low, sides.high, triangle_of(original, face), subdivided.extra_links);
 }
 
-void link_pieces(const TwoSides& sides, const Triangle& face, const std::function<Triangle(int)>& triangle, std::vector<ExtraLink>& links) {
-    const auto add = [&](int low, int high, double area) { links.push_back({std::min(low, high), std::max(low, high), area}); };
-    if (sides.low.size() == 1 || sides.high.size() == 1) {
+void link_pieces(const FaceSide& low, const FaceSide& high, const Triangle& face, std::vector<ExtraLink>& links) {
+    const auto add = [&](int i, int j, double area) {
+        const int a = low.half_faces[i], b = high.half_faces[j];
+        links.push_back({std::min(a, b), std::max(a, b), area});
+    };
+    if (low.count == 1 || high.count == 1) {
         // One triangle covers the face: it shares with each piece all of that piece.
-        for (const int low : sides.low) {
-            for (const int high : sides.high) add(low, high, triangle_area(triangle(sides.low.size() == 1 ? high : low)));
+        for (int i = 0; i < low.count; ++i) {
+            for (int j = 0; j < high.count; ++j) add(i, j, triangle_area(low.count == 1 ? high.triangles[j] : low.triangles[i]));
         }
         return;
     }
     const FaceFrame frame(face);
     const double threshold = no_overlap * triangle_area(face);
-    for (const int low : sides.low) {
-        const FlatTriangle a = frame.flat(triangle(low));
-        for (const int high : sides.high) {
-            const double shared = overlap_area(a, frame.flat(triangle(high)));
-            if (shared > threshold) add(low, high, shared);
+    for (int i = 0; i < low.count; ++i) {
+        const FlatTriangle flat = frame.flat(low.triangles[i]);
+        for (int j = 0; j < high.count; ++j) {
+            const double shared = overlap_area(flat, frame.flat(high.triangles[j]));
+            if (shared > threshold) add(i, j, shared);
         }
     }
 }

@@ -4,7 +4,7 @@
 #include "solver/subdivision/subdivided.hpp"
 #include "solver/subdivision/triangle_overlap.hpp"
 
-#include <functional>
+#include <array>
 #include <vector>
 
 namespace cleave::subdivision {
@@ -16,14 +16,20 @@ namespace cleave::subdivision {
 /// face are rounding (triangles that share an edge) and no links.
 void find_links(const mesh::TetMesh& original, Subdivided& subdivided);
 
-/// The pieces on the two sides of an original face that does not conform: half faces of the result, ascending.
-struct TwoSides {
-    std::vector<int> low, high;  ///< on the side of the smaller original half face, and on the other
+/// The pieces of an original face on one of its sides: half faces of the result, ascending, and their corners.
+struct FaceSide {
+    int count = 0;
+    std::array<int, 5> half_faces;
+    std::array<Triangle, 5> triangles;
+    void add(int half_face, const Triangle& triangle) {
+        half_faces[count] = half_face;
+        triangles[count++] = triangle;
+    }
 };
 
-/// Appends the extra links between the two sides, low by low, high by high. `face` is the whole face seen from the side of the
-/// smaller original half face, `triangle` gives the corners of a half face of the result.
-void link_pieces(const TwoSides& sides, const Triangle& face, const std::function<Triangle(int)>& triangle, std::vector<ExtraLink>& links);
+/// Appends the extra links between the two sides of a face that does not conform, low by low, high by high. `low` is the side
+/// of the smaller original half face, `face` the whole face seen from there.
+void link_pieces(const FaceSide& low, const FaceSide& high, const Triangle& face, std::vector<ExtraLink>& links);
 
 /// What a subdivided mesh breaks: worst figures over all half faces.
 struct Audit {

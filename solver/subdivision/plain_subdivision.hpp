@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/subdivision/cut.hpp"
+#include "solver/subdivision/options.hpp"
 #include "solver/subdivision/subdivided.hpp"
 #include "solver/subdivision/templates.hpp"
 
@@ -9,10 +10,6 @@
 #include <vector>
 
 namespace cleave::subdivision {
-
-struct Options {
-    double tau = 0.1;  ///< see vertex_distances
-};
 
 /// Cuts tets along planes and discs (paper Sect. 5.2, Algorithm 2), each parent at most once: a tet that a later cut passes
 /// again stays as the first left it. Written for clarity; the oracle of any faster form. O(n log n) per cut, deterministic.

@@ -2,6 +2,7 @@
 
 #include "validation/geometry/block.hpp"
 #include "validation/geometry/imported.hpp"
+#include "validation/geometry/penny_crack_block.hpp"
 #include "validation/geometry/plate_with_hole.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,9 @@ struct Entry {
 };
 
 const std::vector<Entry>& entries() {
-    static const std::vector<Entry> list{{block_info(), read_block}, {plate_with_hole_info(), read_plate_with_hole}};
+    static const std::vector<Entry> list{{block_info(), read_block},
+                                         {plate_with_hole_info(), read_plate_with_hole},
+                                         {penny_crack_block_info(), read_penny_crack_block}};
     return list;
 }
 

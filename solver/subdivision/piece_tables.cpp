@@ -90,6 +90,7 @@ PieceTable build(unsigned plus_mask, bool odd) {
         const int child = table.children++;
         table.codes[child] = shape.points;
         if (odd) std::swap(table.codes[child][2], table.codes[child][3]);
+        for (int i = 0; i < 4; ++i) table.offsets[child][i] = static_cast<std::uint8_t>(4 * table.codes[child][i]);
         table.side[child] = static_cast<std::int8_t>(shape.side);
         for (int face = 0; face < 4; ++face) {
             unsigned common = 15;
@@ -110,9 +111,9 @@ std::array<PieceTable, 32> build_all() {
 
 }  // namespace
 
-const PieceTable& piece_table(unsigned plus_mask, bool odd) {
+const std::array<PieceTable, 32>& piece_tables() {
     static const std::array<PieceTable, 32> all = build_all();
-    return all[2 * (plus_mask & 15U) + (odd ? 1U : 0U)];
+    return all;
 }
 
 }  // namespace cleave::subdivision

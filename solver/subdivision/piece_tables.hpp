@@ -20,6 +20,8 @@ struct PieceTable {
     static constexpr std::int32_t outer = -1;
     int children = 0;
     std::array<std::array<std::uint8_t, 4>, most_children> codes{};   ///< PointCode of each corner
+    /// 4 * code: where the point stands in an array with four places a point.
+    std::array<std::array<std::uint8_t, 4>, most_children> offsets{};
     std::array<std::array<std::int32_t, 4>, most_children> inner{};   ///< 4 * child + face behind each face, or `outer`
     std::array<std::int8_t, most_children> side{};                    ///< +1 or -1
     std::array<std::array<std::int8_t, 4>, most_children> face{};     ///< sorted parent's face that a face lies on, -1 inside
@@ -31,8 +33,8 @@ struct PieceTable {
     std::array<std::array<std::uint8_t, 4>, 4> quads{};
 };
 
-/// Of a sign pattern (bit i: sorted vertex i is '+') and orientation of the sorted parent. The children stand in cut_template's
-/// order; an odd parent's have corners 2 and 3 exchanged.
-const PieceTable& piece_table(unsigned plus_mask, bool odd);
+/// By 2 * m + odd, m the sign pattern (bit i: sorted vertex i is '+'), odd: whether the sorted parent has the other orientation.
+/// The children stand in cut_template's order; an odd parent's have corners 2 and 3 exchanged.
+const std::array<PieceTable, 32>& piece_tables();
 
 }  // namespace cleave::subdivision

@@ -8,6 +8,7 @@ namespace cleave::subdivision {
 namespace {
 
 using Int4 __attribute__((vector_size(16))) = int;
+using Vector2 __attribute__((vector_size(16))) = double;
 
 /// u x v; lane 3 is of no meaning.
 Vector4 cross(const Vector4& u, const Vector4& v) {
@@ -22,23 +23,45 @@ double volume(const Vector4& a, const Vector4& b, const Vector4& c, const Vector
     return ((product[0] + product[1]) + product[2]) / 6.0;
 }
 
-void store(std::array<double, 3>& out, const Vector4& x) { std::memcpy(out.data(), &x, sizeof out); }
+void store(std::array<double, 3>& out, const Vector4& x) {
+    const Vector2 low = __builtin_shufflevector(x, x, 0, 1);
+    std::memcpy(out.data(), &low, sizeof low);
+    out[2] = x[2];
+}
+
+/// plane.distance and plane.raised of four vertices at once: lane i for x[i].
+Vector4 raised(const SubdivisionPlane& plane, const Vector4* x) {
+    const Vector4 low01 = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6), high01 = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    const Vector4 low23 = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6), high23 = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    const Vector4 xs = __builtin_shufflevector(low01, low23, 0, 1, 4, 5), zs = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
+    const Vector4 ys = __builtin_shufflevector(high01, high23, 0, 1, 4, 5), edges = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
+    const Vector4 d = (plane.normal[0] * (xs - plane.centre[0]) + plane.normal[1] * (ys - plane.centre[1])) +
+                      plane.normal[2] * (zs - plane.centre[2]);
+    const Vector4 size = d >= 0 ? d : -d, least = plane.tau * edges;
+    const Vector4 up = size > least ? size : least;
+    return d >= 0 ? up : -up;
+}
 
 constexpr int marked = -2;  ///< a barycentre that is wanted and has no number yet
+constexpr int scan_below = 20'000;  ///< tets: smaller meshes are scanned faster than searched
 
 }  // namespace
 
 SubdivisionEngine::SubdivisionEngine(const mesh::TetMesh& mesh, const Options& options)
-    : canonical_(mesh), original_(mesh), options_(options), states_(mesh.tets.size()), edge_number_(canonical_.edges()),
+    : tables_(&piece_tables()), canonical_(mesh), original_(mesh), options_(options), states_(mesh.tets.size()), edge_number_(canonical_.edges()),
       base_number_(canonical_.faces, -1), quad_number_(canonical_.faces, -1), plus_(mesh.vertices.size()), edges_(canonical_.edges()),
       faces_(canonical_.faces), loose_(4 * mesh.tets.size()) {
     require_valid_tau(options.tau);
+    if (canonical_.tets() >= scan_below) {
+        boxes_ = TetBoxes(canonical_);
+        found_ = SparseBits(mesh.tets.size());
+    }
     counts_.uncut = canonical_.tets();
 }
 
 Counts SubdivisionEngine::cut(const Cut& cut) {
     const Cut valid = checked(cut);
-    const Plane plane{{valid.normal[0], valid.normal[1], valid.normal[2]}, {valid.centre[0], valid.centre[1], valid.centre[2]}, options_.tau};
+    const SubdivisionPlane plane{{valid.normal[0], valid.normal[1], valid.normal[2]}, {valid.centre[0], valid.centre[1], valid.centre[2]}, options_.tau};
     const Counts before = counts_;
     first_parent_ = parents_.size();
     first_point_ = static_cast<int>(canonical_.vertices.size() + points_.size());
@@ -73,7 +96,7 @@ void SubdivisionEngine::reset() {
     cuts_ = 0;
 }
 
-bool SubdivisionEngine::passes_disc(const Cut& cut, const Plane& plane, int tet) const {
+bool SubdivisionEngine::passes_disc(const Cut& cut, const SubdivisionPlane& plane, int tet) const {
     std::array<Eigen::Vector3d, 4> corners;
     std::array<double, 4> distances{};
     for (int i = 0; i < 4; ++i) {
@@ -84,17 +107,45 @@ bool SubdivisionEngine::passes_disc(const Cut& cut, const Plane& plane, int tet)
     return passes(cut, corners, distances);
 }
 
-void SubdivisionEngine::find_parents(const Cut& cut, const Plane& plane) {
+void SubdivisionEngine::find_parents(const Cut& cut, const SubdivisionPlane& plane) {
+    canonical_.tets() < scan_below ? scan_all(cut, plane) : scan_near(cut, plane);
+}
+
+void SubdivisionEngine::add_parent(int tet, unsigned plus_mask) {
+    states_[tet] = {.cut = cuts_, .first_child = 0, .variant = static_cast<int>(2 * plus_mask) + canonical_.odd[tet]};
+    parents_.push_back(tet);
+}
+
+void SubdivisionEngine::scan_all(const Cut& cut, const SubdivisionPlane& plane) {
     const bool disc = std::isfinite(cut.radius);
     for (std::size_t v = 0; v < plus_.size(); ++v) plus_[v] = plane.distance(canonical_.vertices[v]) >= 0 ? 1 : 0;
-    for (int tet = 0; tet < canonical_.tets(); ++tet) {
-        const auto& [a, b, c, d] = canonical_.sorted[tet];
-        const int mask = plus_[a] + 2 * plus_[b] + 4 * plus_[c] + 8 * plus_[d];
-        if (mask == 0 || mask == 15 || states_[tet].cut >= 0) continue;
-        if (disc && !passes_disc(cut, plane, tet)) continue;
-        states_[tet] = {.cut = cuts_, .first_child = 0, .variant = 2 * mask + canonical_.odd[tet]};
-        parents_.push_back(tet);
+    const std::uint8_t* plus = plus_.data();
+    const std::array<int, 4>* sorted = canonical_.sorted.data();
+    for (int tet = 0, tets = canonical_.tets(); tet < tets; ++tet) {
+        const auto& [a, b, c, d] = sorted[tet];
+        const unsigned mask = plus[a] + 2U * plus[b] + 4U * plus[c] + 8U * plus[d];
+        if (mask - 1U >= 14U) continue;  // 0 and 15: all on one side
+        if (states_[tet].cut >= 0 || (disc && !passes_disc(cut, plane, tet))) continue;
+        add_parent(tet, mask);
     }
+}
+
+/// Looks into the boxes at the cut; the set of finds puts them into ascending order.
+void SubdivisionEngine::scan_near(const Cut& cut, const SubdivisionPlane& plane) {
+    const bool disc = std::isfinite(cut.radius);
+    const auto mask_of = [&](int tet) {
+        unsigned mask = 0;
+        for (unsigned i = 0; i < 4; ++i) mask |= (plane.distance(canonical_.vertices[canonical_.sorted[tet][i]]) >= 0 ? 1U : 0U) << i;
+        return mask;
+    };
+    boxes_.near(cut, [&](int tet) {
+        const unsigned mask = mask_of(tet);
+        if (mask - 1U >= 14U) return;
+        if (states_[tet].cut >= 0 || (disc && !passes_disc(cut, plane, tet))) return;
+        states_[tet].variant = static_cast<int>(mask);
+        found_.set(static_cast<std::size_t>(tet));
+    });
+    found_.drain([&](std::size_t tet) { add_parent(static_cast<int>(tet), static_cast<unsigned>(states_[tet].variant)); });
 }
 
 /// Gives parents their places among the children and marks the edges and faces that need a point.
@@ -123,7 +174,7 @@ void SubdivisionEngine::mark_points() {
 }
 
 /// Numbers the marked points in the order of their edges and faces, and writes those on edges.
-void SubdivisionEngine::number_points(const Plane& plane) {
+void SubdivisionEngine::number_points(const SubdivisionPlane& plane) {
     int number = first_point_;
     edges_.drain([&](std::size_t edge) {
         const auto& [a, b] = canonical_.edge_ends[edge];
@@ -149,22 +200,21 @@ bool SubdivisionEngine::writes_face_point(int tet, int face) const {
     return behind < 0 || states_[behind / 4].cut != cuts_ || tet < behind / 4;
 }
 
-void SubdivisionEngine::write_parent(const Plane& plane, std::size_t place, int centre) {
+void SubdivisionEngine::write_parent(const SubdivisionPlane& plane, std::size_t place, int centre) {
     const int tet = parents_[place];
     const PieceTable& pieces = table(tet);
     std::array<Vector4, 15> corners;
-    std::array<int, 15> numbers;
-    std::array<double, 4> distances;
+    std::array<int, 60> numbers;  // four places a point, like the corners
     for (int i = 0; i < 4; ++i) {
-        numbers[i] = canonical_.sorted[tet][i];
-        corners[i] = canonical_.vertices[numbers[i]];
-        distances[i] = plane.raised(corners[i]);
+        numbers[4 * i] = canonical_.sorted[tet][i];
+        corners[i] = canonical_.vertices[numbers[4 * i]];
     }
+    const Vector4 distances = raised(plane, corners.data());
     for (int k = 0; k < pieces.cut_edge_count; ++k) {
         const int e = pieces.cut_edges[k];
         const auto& [i, j] = edge_ends[e];
         corners[first_edge_code + e] = corners[i] + distances[i] / (distances[i] - distances[j]) * (corners[j] - corners[i]);
-        numbers[first_edge_code + e] = edge_number_[canonical_.edge[tet][e]];
+        numbers[4 * (first_edge_code + e)] = edge_number_[canonical_.edge[tet][e]];
     }
     for (int f = 0; f < 4; ++f) {
         const int face = canonical_.face[tet][f];
@@ -176,33 +226,41 @@ void SubdivisionEngine::write_parent(const Plane& plane, std::size_t place, int 
             x = ((corners[quad[0]] + corners[quad[1]]) + (corners[quad[2]] + corners[quad[3]])) / 4;
         }
         const int number = (f == pieces.base_face ? base_number_ : quad_number_)[face];
-        numbers[first_face_code + f] = number;
+        numbers[4 * (first_face_code + f)] = number;
         if (number >= first_point_ && writes_face_point(tet, f)) set_point(number, x);
     }
     if (pieces.base_face < 0) {
         const auto ring = [&](int k) { return corners[first_edge_code + pieces.cut_edges[k]]; };
         corners[centre_code] = (((ring(0) + ring(1)) + ring(2)) + ring(3)) / 4;
-        numbers[centre_code] = centre;
+        numbers[4 * centre_code] = centre;
         set_point(centre, corners[centre_code]);
     }
-    write_children(pieces, tet, corners.data(), numbers.data());
+    write_children(pieces, tet, reinterpret_cast<const double*>(corners.data()), numbers.data());
     for (int f = 0; f < 4; ++f) link_face(pieces, tet, f);
 }
 
-void SubdivisionEngine::write_children(const PieceTable& pieces, int tet, const Vector4* corners, const int* numbers) {
-    const std::size_t first = states_[tet].first_child;
+/// `corners` and `numbers`: of all 15 points, four places a point.
+void SubdivisionEngine::write_children(const PieceTable& pieces, int tet, const double* corners, const int* numbers) {
+    const std::size_t first = static_cast<std::size_t>(states_[tet].first_child);
     const int first_half_face = 4 * (canonical_.tets() + states_[tet].first_child);
-    for (int k = 0; k < pieces.children; ++k) {
-        const auto& codes = pieces.codes[k];
-        const Vector4 &a = corners[codes[0]], &b = corners[codes[1]], &c = corners[codes[2]], &d = corners[codes[3]];
-        store(child_centroids_[first + k], 0.25 * (((a + b) + c) + d));
-        child_volumes_[first + k] = volume(a, b, c, d);
-        child_tets_[first + k] = {numbers[codes[0]], numbers[codes[1]], numbers[codes[2]], numbers[codes[3]]};
+    // Plain pointers: the compiler need not reload the buffers' addresses after each store.
+    std::array<int, 4>*__restrict tets = child_tets_.data() + first, *__restrict links = child_links_.data() + first;
+    std::array<double, 3>* __restrict centroids = child_centroids_.data() + first;
+    double* __restrict volumes = child_volumes_.data() + first;
+    int* __restrict parents = child_parents_.data() + first;
+    for (int k = 0, count = pieces.children; k < count; ++k) {
+        const auto& [i, j, l, m] = pieces.offsets[k];
+        const auto point = [corners](std::uint8_t offset) { return *reinterpret_cast<const Vector4*>(corners + offset); };
+        const Vector4 a = point(i), b = point(j), c = point(l), d = point(m);
+        store(centroids[k], 0.25 * (((a + b) + c) + d));
+        volumes[k] = volume(a, b, c, d);
+        const Int4 vertices{numbers[i], numbers[j], numbers[l], numbers[m]};
+        std::memcpy(tets[k].data(), &vertices, sizeof vertices);
         Int4 inner;
         std::memcpy(&inner, pieces.inner[k].data(), sizeof inner);
-        const Int4 links = (inner + first_half_face) | (inner >> 31);  // -1 stays -1
-        std::memcpy(child_links_[first + k].data(), &links, sizeof links);
-        child_parents_[first + k] = tet;
+        inner = (inner + first_half_face) | (inner >> 31);  // -1 stays -1
+        std::memcpy(links[k].data(), &inner, sizeof inner);
+        parents[k] = tet;
     }
 }
 
@@ -234,17 +292,12 @@ void SubdivisionEngine::link_face(const PieceTable& pieces, int tet, int face) {
         return;
     }
     const FacePieces &here = pieces.pieces[face], &mirror = other_pieces.pieces[other_face];
-    const std::size_t first = states_[tet].first_child;
-    for (int k = 0; k < here.count; ++k) {
-        const int relative = here.half_face[k];
-        child_links_[first + relative / 4][relative % 4] = child_half_face(other, mirror.half_face[k]);
-    }
+    int* links = child_links_.data()->data();
+    const int first = 4 * states_[tet].first_child, other_first = 4 * there.first_child, children = 4 * canonical_.tets();
+    for (int k = 0; k < here.count; ++k) links[first + here.half_face[k]] = children + other_first + mirror.half_face[k];
     if (!earlier) return;
     // The other side was written at an earlier cut, when this tet was whole.
-    for (int k = 0; k < here.count; ++k) {
-        const int relative = mirror.half_face[k];
-        child_links_[static_cast<std::size_t>(there.first_child + relative / 4)][relative % 4] = child_half_face(tet, here.half_face[k]);
-    }
+    for (int k = 0; k < here.count; ++k) links[other_first + mirror.half_face[k]] = children + first + here.half_face[k];
     loose_.reset(half_face_key(tet, face));
 }
 

@@ -8,12 +8,30 @@
 #include "solver/subdivision/piece_tables.hpp"
 #include "solver/subdivision/sparse_bits.hpp"
 #include "solver/subdivision/subdivided.hpp"
+#include "solver/subdivision/tet_boxes.hpp"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
 namespace cleave::subdivision {
+
+/// A cut's plane as plain numbers.
+struct SubdivisionPlane {
+    std::array<double, 3> normal, centre;
+    double tau;
+    double distance(const Vector4& x) const {
+        return (normal[0] * (x[0] - centre[0]) + normal[1] * (x[1] - centre[1])) + normal[2] * (x[2] - centre[2]);
+    }
+    /// vertex_distances of one vertex; x[3] is its shortest edge.
+    double raised(const Vector4& x) const {
+        const double d = distance(x), least = tau * x[3];
+        const double size = d >= 0 ? d : -d;
+        const double up = size > least ? size : least;
+        return d >= 0 ? up : -up;
+    }
+};
+
 
 /// The fast form of PlainSubdivision, equal to it to the bit. Original tets keep their numbers 0 .. n-1; children are numbered
 /// from n on, cut by cut, parent by parent, and stand in arrays of their own, so that a cut costs what it cuts and not what the
@@ -53,30 +71,17 @@ private:
         int first_child = 0;   ///< among the children
         int variant = 0;       ///< 2 * plus mask + odd: names its piece table
     };
-    /// A unit normal and a point in registers.
-    struct Plane {
-        std::array<double, 3> normal, centre;
-        double tau;
-        double distance(const Vector4& x) const {
-            return (normal[0] * (x[0] - centre[0]) + normal[1] * (x[1] - centre[1])) + normal[2] * (x[2] - centre[2]);
-        }
-        /// vertex_distances of one vertex; x[3] is its shortest edge.
-        double raised(const Vector4& x) const {
-            const double d = distance(x), least = tau * x[3];
-            const double size = d >= 0 ? d : -d;
-            const double up = size > least ? size : least;
-            return d >= 0 ? up : -up;
-        }
-    };
-
-    const PieceTable& table(int tet) const { return piece_table(static_cast<unsigned>(states_[tet].variant) / 2, states_[tet].variant % 2 == 1); }
-    void find_parents(const Cut& cut, const Plane& plane);
-    bool passes_disc(const Cut& cut, const Plane& plane, int tet) const;
+    const PieceTable& table(int tet) const { return (*tables_)[static_cast<std::size_t>(states_[tet].variant)]; }
+    void find_parents(const Cut& cut, const SubdivisionPlane& plane);
+    void scan_all(const Cut& cut, const SubdivisionPlane& plane);
+    void scan_near(const Cut& cut, const SubdivisionPlane& plane);
+    void add_parent(int tet, unsigned plus_mask);
+    bool passes_disc(const Cut& cut, const SubdivisionPlane& plane, int tet) const;
     void mark_points();
-    void number_points(const Plane& plane);
-    void write_parent(const Plane& plane, std::size_t place, int centre);
-    void write_children(const PieceTable& table, int tet, const Vector4* corners, const int* numbers);
-    void link_face(const PieceTable& table, int tet, int face);
+    void number_points(const SubdivisionPlane& plane);
+    void write_parent(const SubdivisionPlane& plane, std::size_t place, int centre);
+    void write_children(const PieceTable& pieces, int tet, const double* corners, const int* numbers);
+    void link_face(const PieceTable& pieces, int tet, int face);
     bool writes_face_point(int tet, int face) const;
     void set_point(int number, const Vector4& x);
     int half_face_key(int tet, int face) const;
@@ -86,7 +91,9 @@ private:
     struct Sides;
     void gather_sides(int key, Sides& sides) const;
 
+    const std::array<PieceTable, 32>* tables_;
     CanonicalMesh canonical_;
+    TetBoxes boxes_;                 ///< empty for small meshes
     mesh::TetMesh original_;
     Options options_;
     std::vector<State> states_;
@@ -95,6 +102,7 @@ private:
     std::vector<int> quad_number_;   ///< per face, of the current cut
     std::vector<std::uint8_t> plus_;  ///< per vertex: its side, of the current cut
     SparseBits edges_, faces_;       ///< with new points in the current cut
+    SparseBits found_;               ///< parents of the current cut, before they are listed
     SparseBits loose_;               ///< original half faces (the smaller of the two) whose sides do not conform
     Buffer<int> parents_;            ///< of all cuts
     std::size_t first_parent_ = 0;   ///< of the current cut

@@ -1,0 +1,67 @@
+#include "solver/mesh/morton.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace cleave::mesh {
+namespace {
+
+/// The lowest 21 bits, two zeros after each.
+std::uint64_t spread(std::uint64_t x) {
+    x &= 0x1fffff;
+    x = (x | x << 32) & 0x1f00000000ffff;
+    x = (x | x << 16) & 0x1f0000ff0000ff;
+    x = (x | x << 8) & 0x100f00f00f00f00f;
+    x = (x | x << 4) & 0x10c30c30c30c30c3;
+    return (x | x << 2) & 0x1249249249249249;
+}
+
+}  // namespace
+
+std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& point : points) box.extend(point);
+    // A flat box still has a width to divide by.
+    const Eigen::Vector3d width = points.empty() ? Eigen::Vector3d::Ones() : box.sizes().cwiseMax(std::numeric_limits<double>::min()).eval();
+    std::vector<std::pair<std::uint64_t, int>> keys(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Eigen::Vector3d share = (points[i] - box.min()).cwiseQuotient(width) * double{0x1fffff};
+        std::uint64_t key = 0;
+        for (int axis = 0; axis < 3; ++axis) key |= spread(static_cast<std::uint64_t>(share[axis])) << axis;
+        keys[i] = {key, static_cast<int>(i)};
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<int> order;
+    order.reserve(keys.size());
+    for (const auto& [key, number] : keys) order.push_back(number);
+    return order;
+}
+
+TetMesh in_morton_order(const TetMesh& mesh) {
+    TetMesh out = mesh;
+    const std::vector<int> vertices = morton_order(mesh.vertices);
+    std::vector<int> number(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        out.vertices[v] = mesh.vertices[vertices[v]];
+        number[vertices[v]] = static_cast<int>(v);
+    }
+    std::vector<Eigen::Vector3d> centroids;
+    centroids.reserve(mesh.tets.size());
+    for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet) centroids.push_back(tet_centroid(mesh, static_cast<int>(tet)));
+    const std::vector<int> tets = morton_order(centroids);
+    for (std::size_t tet = 0; tet < tets.size(); ++tet) {
+        out.tets[tet] = mesh.tets[tets[tet]];
+        for (int& v : out.tets[tet]) v = number[v];
+        out.regions[tet] = mesh.regions[tets[tet]];
+    }
+    for (SurfaceTriangle& triangle : out.surface) {
+        for (int& v : triangle.vertices) v = number[v];
+    }
+    return out;
+}
+
+}  // namespace cleave::mesh

@@ -80,6 +80,7 @@ void read_loads(TableReader& reader, const Defaults& defaults, Case& result) {
     using Kind = SurfaceLoad::Kind;
     for (const auto& [key, kind] : {std::pair{"traction", Kind::traction}, std::pair{"pressure", Kind::pressure}, std::pair{"displacement", Kind::displacement}})
         for (TableReader& entry : load->tables_if(key)) result.loads.push_back(read_load(entry, kind, defaults, surfaces));
+    result.free_body = load->boolean_or("free_body", false);
     if (auto force = load->table_if("body_force")) {
         if (force->has("solution") == force->has("vector")) force->fail("", "either 'vector' or 'solution'");
         if (force->has("solution"))
@@ -153,9 +154,19 @@ void read_particles(TableReader& reader, const Defaults& defaults, Case& result)
     auto table = reader.table_if("particles");
     if (!table) return;
     result.particles.support_factor = table->number_or("support_factor", 2.5);
+    if (auto kernel = table->table_if("kernel")) {
+        result.particles.kernel_aspect = kernel->number_or("aspect", 1);
+        result.particles.kernel_seed = kernel->integer_or("seed", 1);
+        if (!(result.particles.kernel_aspect >= 1)) kernel->fail("aspect", "a number from 1 (longest over shortest axis)");
+    }
+    if (table->has("link_penalty")) {
+        result.particles.link_penalty = table->number("link_penalty");
+        if (!(*result.particles.link_penalty >= 0)) table->fail("link_penalty", "a number that is not negative");
+    }
     if (!(result.particles.support_factor > 1)) table->fail("support_factor", "a number above 1 (support radius / particle spacing)");
     result.particles.displacement = "fem.p2";
-    if (table->has("solution") == table->has("displacement")) table->fail("", "either 'displacement' (fem.p2) or 'solution' (exact displacements)");
+    if (table->has("solution") && table->has("displacement")) table->fail("", "either 'displacement' (fem.p2) or 'solution' (exact displacements)");
+    if (!table->has("solution") && !table->has("displacement")) return;
     if (table->has("solution")) {
         result.particles.displacement = "solution";
         result.particles.solution = read_solution_call(*table, defaults);

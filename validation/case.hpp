@@ -19,6 +19,7 @@ namespace cleave::validation {
 struct SolutionCall {
     std::string name;
     std::map<std::string, std::string> words;              ///< keys with string values
+    std::map<std::string, double> numbers;                 ///< keys with plain numbers
     std::map<std::string, std::array<double, 3>> vectors;  ///< keys with quantities, SI
     std::string where;                                     ///< dotted key, for messages
 };
@@ -76,7 +77,10 @@ struct Profile {
 
 /// How the strain operators of the particles are fed and tuned.
 struct ParticleSettings {
+    std::optional<double> link_penalty;          ///< alpha of `conforming`; the solver's own where absent
     double support_factor = 2.5;                 ///< k in h = k s
+    double kernel_aspect = 1;                    ///< longest over shortest support axis, determinant kept
+    long kernel_seed = 1;                        ///< of the random orientations of stretched kernels
     std::string displacement = "solution";       ///< an analytic solution's name, or "fem.p2"
     std::optional<SolutionCall> solution;
 };
@@ -93,6 +97,7 @@ struct Case {
     std::vector<SurfaceLoad> loads;
     std::optional<SolutionCall> body_force_solution;
     std::array<double, 3> body_force{};
+    bool free_body = false;                         ///< nothing holds the body: inertia balances the load
     std::string ladder_unit_name;                   ///< relative_to, "" where sizes are absolute
     std::map<std::string, std::vector<double>> ladder;  ///< level -> sizes, m, coarse to fine
     ParticleSettings particles;

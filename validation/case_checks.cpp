@@ -27,7 +27,7 @@ Observable read_observable(TableReader& table) {
     for (const auto& [name, dimension] : quantities()) names.push_back(name);
     Observable observable{table.choice("quantity", names), ""};
     if (!table.has("component")) return observable;
-    if (observable.quantity == "energy") table.fail("component", "no component for an energy");
+    if (is_scalar(observable.quantity)) table.fail("component", "no component for a quantity of the whole body");
     const bool vector = observable.quantity == "displacement";
     observable.component = table.choice("component", vector ? std::vector<std::string>{"x", "y", "z"}
                                                             : std::vector<std::string>{"xx", "yy", "zz", "yz", "xz", "xy"});
@@ -111,27 +111,44 @@ void require_consistency(const TableReader& table, const Check& check, const Cas
     if (!check.bands.empty() && check.reference.kind == Reference::Kind::none) table.fail("reference", "a reference for the band (the key is missing)");
     if (!check.bands.empty() && check.basis.empty()) table.fail("basis", "why the band is that wide (the key is missing)");
     if (check.must_fail && check.bands.empty()) table.fail("band", "a band for a must-fail twin (the key is missing)");
-    const bool energy = check.observable.quantity == "energy";
-    if (energy && !check.at.empty()) table.fail("at", "no place for an energy of the whole body");
-    if (check.reference.kind == Reference::Kind::value && !energy && (check.at.empty() || check.observable.component.empty()))
+    const bool scalar = is_scalar(check.observable.quantity);
+    if (scalar && !check.at.empty()) table.fail("at", "no place for a quantity of the whole body");
+    if (check.reference.kind == Reference::Kind::value && !scalar && (check.at.empty() || check.observable.component.empty()))
         table.fail("reference", "'at' and 'component' beside a reference value");
-    if (energy && check.reference.kind == Reference::Kind::solution) table.fail("reference", "a value or a solver for an energy");
+    if (scalar && check.reference.kind == Reference::Kind::solution) table.fail("reference", "a value or a solver for a quantity of the whole body");
+    if (check.reference.kind == Reference::Kind::value && check.reference.value == 0)
+        for (const auto& [solver, band] : check.bands)
+            if (band.relative) table.fail("band", "an absolute band beside a reference of zero");
     for (const auto& [solver, band] : check.bands)
-        if (band.absolute && check.observable.component.empty() && !energy) table.fail("band", "'component' beside an absolute band");
+        if (band.absolute && check.observable.component.empty() && !scalar) table.fail("band", "'component' beside an absolute band");
 }
 
 }  // namespace
 
 const std::vector<std::string>& solver_names() {
-    static const std::vector<std::string> names{"fem.p1", "fem.p2", "sph.paper", "sph.corrected"};
+    static const std::vector<std::string> names{"fem.p1", "fem.p2", "sph.paper", "sph.corrected", "sph.quadratic", "sph.conforming_operator", "sph.conforming"};
     return names;
 }
 
 const std::vector<std::pair<std::string, Dimension>>& quantities() {
     static const std::vector<std::pair<std::string, Dimension>> list{
-        {"displacement", dimension::length}, {"strain", dimension::none}, {"stress", dimension::pressure}, {"energy", dimension::energy}};
+        {"displacement", dimension::length},
+        {"strain", dimension::none},
+        {"stress", dimension::pressure},
+        {"energy", dimension::energy},                 // strain energy
+        {"external_work", dimension::energy},          // of the loads
+        {"residual", dimension::none},                 // |f - K u| / |f| of an equilibrium solve
+        {"vertex_sensitivity", dimension::none},       // relative change of the energy when every vertex moves by 1e-9 of the size
+        {"net_force", dimension::none},                // |sum F| / sum |F|
+        {"net_torque", dimension::none},               // |sum x cross F| / sum |x| |F|
+        {"force_error", dimension::none},              // force against finite differences of the energy
+        {"force_error_as_printed", dimension::none},   // the same for Eq. 9 as printed
+        {"rotated_energy_error", dimension::none},     // change of the corotated energy when the body turns by 1 rad
+        {"acceleration_balance", dimension::none}};    // free body: |load - mass * acceleration| and its moment, relative
     return list;
 }
+
+bool is_scalar(const std::string& quantity) { return quantity != "displacement" && quantity != "strain" && quantity != "stress"; }
 
 Check read_check(TableReader& table, const Defaults& defaults, const Case& of) {
     Check check;
@@ -160,7 +177,7 @@ Profile read_profile(TableReader& table, const Defaults& defaults, const Case& o
     profile.where.pop_back();
     profile.title = table.string("title");
     profile.observable = read_observable(table);
-    if (profile.observable.component.empty() || profile.observable.quantity == "energy") table.fail("component", "the component to draw");
+    if (profile.observable.component.empty()) table.fail("component", "the component to draw");
     profile.solvers = read_solvers(table);
     if (table.has("solution")) profile.reference = read_solution_call(table, defaults);
     profile.from = table.vector("from", dimension::length);

@@ -13,6 +13,9 @@ Profile read_profile(TableReader& table, const std::map<std::string, SolutionCal
 /// The solvers that checks may name.
 const std::vector<std::string>& solver_names();
 
+/// True for quantities of the whole body, which have neither component nor place.
+bool is_scalar(const std::string& quantity);
+
 /// The quantities that checks may name, each with its SI dimension.
 const std::vector<std::pair<std::string, Dimension>>& quantities();
 

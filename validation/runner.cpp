@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "validation/adapters/level.hpp"
+#include "validation/case_checks.hpp"
 #include "validation/profile.hpp"
 #include "validation/solutions.hpp"
 
@@ -39,10 +40,10 @@ std::vector<Row> empty_rows(const Check& check, const Case& of) {
             row.solver = solver;
             row.reference_source = reference_source(check, of);
             row.band = check.band(solver);
-            row.relative = !row.band.absolute;
+            row.relative = !row.band.absolute && !(check.reference.kind == Reference::Kind::value && check.reference.value == 0);
             if (!row.band.empty()) row.basis = check.basis;
             row.must_fail = check.must_fail;
-            if (check.observable.quantity == "energy")
+            if (is_scalar(check.observable.quantity))
                 row.place = "whole body";
             else if (check.at.empty())
                 row.place = check.norm + (check.region.empty() ? " over the body" : " over " + check.region);
@@ -118,19 +119,19 @@ Measurement measure_point(const Check& check, const std::string& solver, const P
     return measurement;
 }
 
-Measurement measure_energy(const Check& check, const std::string& solver, LevelSources& sources) {
+Measurement measure_scalar(const Check& check, const std::string& solver, LevelSources& sources) {
     Measurement measurement;
-    measurement.value = sources.get(solver).strain_energy() / check.divide_by;
+    measurement.value = sources.get(solver).scalar(check.observable.quantity) / check.divide_by;
     if (check.reference.kind == Reference::Kind::value) measurement.reference = check.reference.value;
     if (check.reference.kind == Reference::Kind::solver)
-        measurement.reference = sources.get(check.reference.source).strain_energy() / check.divide_by;
+        measurement.reference = sources.get(check.reference.source).scalar(check.observable.quantity) / check.divide_by;
     set_errors(measurement);
     return measurement;
 }
 
 Measurement measure(const Check& check, const std::string& solver, std::size_t place, LevelSources& sources) {
     try {
-        if (check.observable.quantity == "energy") return measure_energy(check, solver, sources);
+        if (is_scalar(check.observable.quantity)) return measure_scalar(check, solver, sources);
         if (check.at.empty()) return measure_field(check, solver, sources);
         return measure_point(check, solver, check.at[place], sources);
     } catch (const std::invalid_argument& error) {
@@ -204,7 +205,7 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
     }
     for (std::vector<Row>& of_check : rows)
         for (Row& row : of_check) {
-            conclude(row, of.shape->uniform_refinement());
+            conclude(row, of.shape->uniform_refinement() && !is_scalar(row.quantity));
             run.result.rows.push_back(std::move(row));
         }
     for (const auto& [profile, artifact] : drawn) attach(run.result.rows, *profile, artifact);

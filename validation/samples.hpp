@@ -37,7 +37,8 @@ public:
     virtual Samples at(const std::vector<Point>& points) const = 0;
     /// Plain (not recovered) values at points inside the body, for comparisons point by point.
     virtual Samples inside(const std::vector<Point>& points) const { return at(points); }
-    virtual double strain_energy() const = 0;  ///< J
+    /// A quantity of the whole body (see scalar_quantities()), SI. Throws InputError where the method does not have it.
+    virtual double scalar(const std::string& quantity) const = 0;
     virtual Resolution resolution() const = 0;
 };
 

@@ -25,16 +25,22 @@ const SolutionInfo& info(const std::string& name, const TableReader& reader, con
 void read_keys(const SolutionInfo& solution, TableReader& table, SolutionCall& call) {
     for (const SolutionInfo::Key& key : solution.keys) {
         if (!table.has(key.name)) continue;
-        if (key.choices.empty())
-            call.vectors[key.name] = table.vector(key.name, key.dimension);
-        else
-            call.words[key.name] = table.choice(key.name, key.choices);
+        switch (key.kind) {
+            case SolutionInfo::Key::Kind::word: call.words[key.name] = table.choice(key.name, key.choices); break;
+            case SolutionInfo::Key::Kind::number: call.numbers[key.name] = table.number(key.name); break;
+            case SolutionInfo::Key::Kind::vector: call.vectors[key.name] = table.vector(key.name, key.dimension); break;
+        }
     }
 }
 
 std::string word(const SolutionCall& call, const std::string& key, const std::string& fallback) {
     const auto found = call.words.find(key);
     return found == call.words.end() ? fallback : found->second;
+}
+
+double number(const SolutionCall& call, const std::string& key, double fallback) {
+    const auto found = call.numbers.find(key);
+    return found == call.numbers.end() ? fallback : found->second;
 }
 
 /// The edge of the shape's bounding box or its "length": the scale of a manufactured wave.
@@ -49,7 +55,7 @@ double body_length(const Case& of) {
 
 analytic::Field build(const SolutionCall& call, const Case& of, const analytic::Stiffness& stiffness) {
     if (call.name == "linear_displacement") return analytic::linear_displacement(stiffness, analytic::generic_gradient());
-    if (call.name == "manufactured_trigonometric") return analytic::manufactured_trigonometric(stiffness, body_length(of));
+    if (call.name == "manufactured_trigonometric") return analytic::manufactured_trigonometric(stiffness, body_length(of), number(call, "scale", 1));
     const auto remote = call.vectors.find("remote");
     if (remote == call.vectors.end()) throw std::invalid_argument("the key 'remote' (xx, yy, xy) in [solution.lekhnitskii_hole]");
     const auto state = word(call, "plane", "strain") == "strain" ? analytic::PlaneState::strain : analytic::PlaneState::stress;
@@ -60,12 +66,13 @@ analytic::Field build(const SolutionCall& call, const Case& of, const analytic::
 }  // namespace
 
 const std::vector<SolutionInfo>& solutions() {
+    using Kind = SolutionInfo::Key::Kind;
     static const std::vector<SolutionInfo> list{
         {"linear_displacement", "u = A x with a generic A: the patch test, any material and shape", {}},
-        {"manufactured_trigonometric", "plane waves with the body force that balances them, any material", {}},
+        {"manufactured_trigonometric", "plane waves with the body force that balances them, any material; scale multiplies the amplitude 1e-3 L", {{"scale", Kind::number, {}, {}}}},
         {"lekhnitskii_hole",
          "circular hole in an infinite plate, z = 0 a plane of elastic symmetry (Lekhnitskii 1968)",
-         {{"plane", {"strain", "stress"}, {}}, {"remote", {}, dimension::pressure}}}};
+         {{"plane", Kind::word, {"strain", "stress"}, {}}, {"remote", Kind::vector, {}, dimension::pressure}}}};
     return list;
 }
 

@@ -11,9 +11,11 @@ namespace cleave::validation {
 /// What `validate --list` tells about an analytic solution, and the keys it reads.
 struct SolutionInfo {
     struct Key {
+        enum class Kind { word, number, vector };
         std::string name;
-        std::vector<std::string> choices;  ///< a word out of these; empty: a vector of three quantities
-        Dimension dimension;
+        Kind kind;
+        std::vector<std::string> choices;  ///< of a word
+        Dimension dimension;               ///< of a vector of three quantities
     };
     std::string name, about;
     std::vector<Key> keys;

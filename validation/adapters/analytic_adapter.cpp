@@ -21,4 +21,17 @@ const material::Material& material_of(const Case& of, const std::string& region)
     return found->second;
 }
 
+std::vector<int> surface_tags(const SurfaceLoad& load, const geometry::Body& body, const Case& of) {
+    std::vector<int> tags;
+    for (const std::string& name : load.on) {
+        if (name == "all")
+            for (const auto& [each, tag] : body.surfaces) tags.push_back(tag);
+        else if (body.surfaces.count(name))
+            tags.push_back(body.surfaces.at(name));
+        else
+            of.fail("load.on", "a surface of the mesh (not '" + name + "')");
+    }
+    return tags;
+}
+
 }  // namespace cleave::validation

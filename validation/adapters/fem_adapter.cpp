@@ -18,26 +18,12 @@ fem::VectorField field_of(const SurfaceLoad& load, const Case& of) {
     of.fail(load.solution->where, "'vector' for a traction (solutions are for displacements)");
 }
 
-/// Surfaces of a load, tags; "all" stands for every surface of the body.
-std::vector<int> tags_of(const SurfaceLoad& load, const geometry::Body& body, const Case& of) {
-    std::vector<int> tags;
-    for (const std::string& name : load.on) {
-        if (name == "all")
-            for (const auto& [each, tag] : body.surfaces) tags.push_back(tag);
-        else if (body.surfaces.count(name))
-            tags.push_back(body.surfaces.at(name));
-        else
-            of.fail("load.on", "a surface of the mesh (not '" + name + "')");
-    }
-    return tags;
-}
-
 fem::Problem make_problem(const Case& of, const geometry::Body& body) {
     fem::Problem problem;
     problem.mesh_file = body.mesh_file.string();
     for (const auto& [name, tag] : body.regions) problem.regions.push_back({tag, plain_stiffness(material_of(of, name).stiffness)});
     for (const SurfaceLoad& load : of.loads)
-        for (const int tag : tags_of(load, body, of)) switch (load.kind) {
+        for (const int tag : surface_tags(load, body, of)) switch (load.kind) {
                 case SurfaceLoad::Kind::pressure: problem.pressures.push_back({tag, load.pressure}); break;
                 case SurfaceLoad::Kind::displacement: problem.displacements.push_back({tag, load.components, field_of(load, of)}); break;
                 case SurfaceLoad::Kind::traction:
@@ -72,7 +58,12 @@ public:
     const Samples& everywhere() const override { return samples_; }
     Samples at(const std::vector<Point>& points) const override { return gather(solution_.recovered_at(points)); }
     Samples inside(const std::vector<Point>& points) const override { return gather(solution_.at(points)); }
-    double strain_energy() const override { return solution_.energy(); }
+    double scalar(const std::string& quantity) const override {
+        if (quantity == "energy") return solution_.energy();
+        if (quantity == "external_work") return solution_.external_work();
+        if (quantity == "residual") return solution_.record().relative_residual;
+        throw InputError("", quantity, "a quantity that finite elements have");
+    }
     Resolution resolution() const override { return {size_, solution_.record().cells, solution_.record().dofs}; }
 
 private:

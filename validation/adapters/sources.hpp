@@ -21,9 +21,16 @@ struct SolveNote {
 /// unconstrained body, an inverted tet), naming the case's file.
 std::unique_ptr<FieldSource> run_fem(const Case& of, const geometry::Body& body, double size, const std::string& solver, SolveNote& note);
 
-/// Particles at the centroids of the same mesh; `solver` is sph.paper or sph.corrected. `displacement` gives u at points, m.
+/// A strain operator at the centroids of the same mesh: sph.paper, sph.corrected, sph.quadratic or sph.conforming_operator.
+/// `displacement` gives u at points, m.
 std::unique_ptr<FieldSource> run_particles(const Case& of, const geometry::Body& body, double size, const std::string& solver,
                                            const std::function<std::vector<Point>(const std::vector<Point>&)>& displacement, SolveNote& note);
+
+/// Equilibrium of the particles under the case's loads: sph.conforming. Throws InputError.
+std::unique_ptr<FieldSource> run_equilibrium(const Case& of, const geometry::Body& body, double size, SolveNote& note);
+
+/// Tags of the surfaces a load acts on; "all" stands for every surface of the body. Throws InputError.
+std::vector<int> surface_tags(const SurfaceLoad& load, const geometry::Body& body, const Case& of);
 
 /// An analytic field, evaluated where the method under test has its points.
 Samples evaluate(const analytic::Field& field, const std::vector<Point>& points);

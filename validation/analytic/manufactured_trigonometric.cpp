@@ -44,8 +44,9 @@ struct Waves {
 
 }  // namespace
 
-Field manufactured_trigonometric(const Stiffness& stiffness, double length) {
-    const Waves waves{length};
+Field manufactured_trigonometric(const Stiffness& stiffness, double length, double scale) {
+    Waves waves{length};
+    for (double& amplitude : waves.amplitude) amplitude *= scale;
     Field field;
     field.displacement = [waves](const Point& x) { return waves.displacement(x); };
     field.gradient = [waves](const Point& x) { return waves.gradient(x); };

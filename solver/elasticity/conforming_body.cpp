@@ -123,7 +123,8 @@ std::vector<Eigen::Matrix3d> smoothed_gradients(const ConformingBody& body, cons
 
 Fields fields_of_gradients(const ConformingBody& body, std::vector<Eigen::Matrix3d> gradient) {
     const std::size_t count = gradient.size();
-    Fields fields{std::move(gradient), std::vector<material::Voigt>(count), std::vector<material::Voigt>(count), std::vector<double>(count)};
+    Fields fields{std::move(gradient), std::vector<material::Voigt>(count), std::vector<material::Voigt>(count),
+                  std::vector<double>(count)};
     parallel_for_each(static_cast<int>(count), [&](int i) {
         fields.strain[i] = strain_of(fields.gradient[i]);
         fields.stress[i] = body.solid.of(i) * fields.strain[i];

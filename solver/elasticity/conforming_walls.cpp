@@ -11,8 +11,10 @@ constexpr double overhang = 1e-6;
 /// A crossing nearer to the eye than this part of the segment is the eye's own wall.
 constexpr double own_wall = 1e-9;
 
-std::vector<std::array<Eigen::Vector3d, 3>> wall_triangles(const mesh::TetMesh& mesh, const FaceSet& faces, const std::vector<char>& opaque) {
-    std::vector<std::array<Eigen::Vector3d, 3>> triangles;
+using Triangle = std::array<Eigen::Vector3d, 3>;
+
+std::vector<Triangle> wall_triangles(const mesh::TetMesh& mesh, const FaceSet& faces, const std::vector<char>& opaque) {
+    std::vector<Triangle> triangles;
     for (std::size_t half = 0; half < faces.of_half_face.size(); ++half) {
         const int face = faces.of_half_face[half], tet = static_cast<int>(half / 4);
         if (!opaque[face] || faces.faces[face].inside != tet) continue;
@@ -22,9 +24,9 @@ std::vector<std::array<Eigen::Vector3d, 3>> wall_triangles(const mesh::TetMesh& 
     return triangles;
 }
 
-std::vector<Box> boxes_of(const std::vector<std::array<Eigen::Vector3d, 3>>& triangles) {
+std::vector<Box> boxes_of(const std::vector<Triangle>& triangles) {
     std::vector<Box> boxes;
-    for (const auto& triangle : triangles) {
+    for (const Triangle& triangle : triangles) {
         Box box;
         for (const Eigen::Vector3d& vertex : triangle) box.extend(vertex);
         const Eigen::Vector3d margin = Eigen::Vector3d::Constant(overhang * box.diagonal().norm());

@@ -110,7 +110,8 @@ std::vector<EnergyRelease> energy_release(const EquilibriumProblem& problem, con
         EnergyRelease result;
         result.width = width_of(problem.mesh, extension.crack_surface, growth);
         const auto potential = [&](double by) {
-            return moved_system(problem, options, *solution.body, moved_mesh(problem.mesh, growth, by)).potential(solution.displacement, inertia);
+            const mesh::TetMesh moved = moved_mesh(problem.mesh, growth, by);
+            return moved_system(problem, options, *solution.body, moved).potential(solution.displacement, inertia);
         };
         result.by_movement = (potential(-step) - potential(step)) / (2 * step * result.width);
         result.by_domain_integral = domain_integral(problem, base, solution, trace, growth) / result.width;

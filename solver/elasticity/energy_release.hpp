@@ -26,8 +26,8 @@ struct EnergyRelease {
 ///   so that letting them relax changes the result by O(step^2) only (energy_release_by_solving shows it). `step` in m, 1e-3 of the
 ///   crack's size;
 /// - by the domain integral (deLorenzi 1982): sum_i V_i (sigma_ab u_a,c q_c,b - w q_c,c) of the particle fields, q the growth as linear
-///   elements interpolate it, plus the work of the loads on lips and inside that grow with it: sum t.u dA' and b.u dV'. It leaves the change
-///   of the stencils and the link penalty out.
+///   elements interpolate it, plus the work of the loads on lips and inside that grow with it: sum t.u dA' and b.u dV' (loads taken as
+///   uniform where the growth is not zero). It leaves the change of the stencils and the link penalty out.
 ///
 /// Throws std::invalid_argument: growth that adds no crack area, vertices moved so far that a tet turns over.
 std::vector<EnergyRelease> energy_release(const EquilibriumProblem& problem, const EquilibriumOptions& options,

@@ -5,7 +5,7 @@ find_path(CLEAVE_SUITESPARSE_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRE
 
 cleave_library(cleave_equilibrium
   SOURCES conforming_box_tree.cpp conforming_walls.cpp conforming_faces.cpp conforming_traces.cpp conforming_body.cpp
-          equilibrium_parallel.cpp equilibrium_operator.cpp equilibrium_rigid.cpp equilibrium_loads.cpp equilibrium_cg.cpp
+          equilibrium_parallel.cpp equilibrium_operator.cpp equilibrium_rigid.cpp equilibrium_loads.cpp equilibrium_cg.cpp equilibrium_coarse.cpp
           equilibrium_assembly.cpp equilibrium_system.cpp equilibrium.cpp energy_release.cpp
   LINK cleave_elasticity cleave_mesh TBB::tbb
   PRIVATE_LINK fmt::fmt ${CLEAVE_CHOLMOD})

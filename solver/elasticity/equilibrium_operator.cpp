@@ -146,8 +146,7 @@ double link_energy(const QuadraticEnergy& energy, const Vectors& displacement) {
     return sum;
 }
 
-std::vector<Eigen::Matrix3d> diagonal_blocks(const QuadraticEnergy& energy) {
-    const GradientStencils stencils = gradient_stencils(*energy.body);
+std::vector<Eigen::Matrix3d> diagonal_blocks(const QuadraticEnergy& energy, const GradientStencils& stencils) {
     return BlockSum(energy, stencils).sum();
 }
 

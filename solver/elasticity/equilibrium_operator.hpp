@@ -58,8 +58,8 @@ private:
     std::vector<Eigen::Matrix3d> gradient_, weighted_stress_;
 };
 
-/// The 3x3 blocks on the diagonal of K, N/m.
-std::vector<Eigen::Matrix3d> diagonal_blocks(const QuadraticEnergy& energy);
+/// The 3x3 blocks on the diagonal of K, N/m; `stencils` are those of the energy's body.
+std::vector<Eigen::Matrix3d> diagonal_blocks(const QuadraticEnergy& energy, const GradientStencils& stencils);
 
 /// Energy of the link penalty, J.
 double link_energy(const QuadraticEnergy& energy, const Vectors& displacement);

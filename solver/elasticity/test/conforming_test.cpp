@@ -162,7 +162,9 @@ TEST(ConformingOperator, as_a_strain_operator_gives_the_same_gradients) {
 TEST(ConformingOperator, smoothed_gradients_keep_linear_gradients) {
     const ConformingBody body = make_conforming_body(tagged_cube(5), one_material());
     std::vector<Eigen::Matrix3d> exact;
-    const auto gradient = [](const Eigen::Vector3d& x) -> Eigen::Matrix3d { return LinearField{}.gradient * (1 + x.x() - 2 * x.y() + 3 * x.z()); };
+    const auto gradient = [](const Eigen::Vector3d& x) -> Eigen::Matrix3d {
+        return LinearField{}.gradient * (1 + x.x() - 2 * x.y() + 3 * x.z());
+    };
     for (const Eigen::Vector3d& x : body.particles.position) exact.push_back(gradient(x));
     const std::vector<Eigen::Matrix3d> smoothed = smoothed_gradients(body, exact);
     for (std::size_t i = 0; i < exact.size(); ++i) EXPECT_LT((smoothed[i] - exact[i]).norm(), 1e-12 * exact[i].norm() + 1e-14);

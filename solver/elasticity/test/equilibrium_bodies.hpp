@@ -71,7 +71,8 @@ inline void open_crack(mesh::TetMesh& mesh, const std::function<bool(const Eigen
             }
             if (first) continue;
             mesh.vertices.push_back(mesh.vertices[vertex]);
-            for (const int tet : piece) std::replace(mesh.tets[tet].begin(), mesh.tets[tet].end(), vertex, static_cast<int>(mesh.vertices.size()) - 1);
+            const int copy = static_cast<int>(mesh.vertices.size()) - 1;
+            for (const int tet : piece) std::replace(mesh.tets[tet].begin(), mesh.tets[tet].end(), vertex, copy);
         }
     }
 }

@@ -1,10 +1,13 @@
 // The stiffness as a linear map: symmetry, definiteness, rigid motions, and its two forms against each other.
 #include "solver/elasticity/equilibrium_assembly.hpp"
+#include "solver/elasticity/equilibrium_cg.hpp"
+#include "solver/elasticity/equilibrium_coarse.hpp"
 #include "solver/elasticity/equilibrium_operator.hpp"
 #include "solver/elasticity/test/equilibrium_bodies.hpp"
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 namespace cleave::elasticity::test {
@@ -40,7 +43,53 @@ Vectors times(const QuadraticEnergy& energy, const Vectors& u) {
     return force;
 }
 
-Eigen::VectorXd flat(const Vectors& v) { return Eigen::Map<const Eigen::VectorXd>(v.front().data(), 3 * static_cast<Eigen::Index>(v.size())); }
+Eigen::VectorXd flat(const Vectors& v) {
+    return Eigen::Map<const Eigen::VectorXd>(v.front().data(), 3 * static_cast<Eigen::Index>(v.size()));
+}
+
+TEST(CoarseSpace, matrix_is_the_projection_of_the_assembled_stiffness) {
+    const FullBody full;
+    const QuadraticEnergy energy = make_energy(full.body, 2, full.prescribed());
+    const CoarseSpace space(energy, gradient_stencils(full.body), 40);
+    const int particles = full.body.particles.size(), lumps = space.lumps();
+    EXPECT_GE(lumps * 40, particles);
+    Eigen::MatrixXd z = Eigen::MatrixXd::Zero(3 * particles, 6 * lumps);
+    for (int i = 0; i < particles; ++i) z.block<3, 6>(3 * i, 6 * space.lump_of(i)) = space.motion(i);
+    const Eigen::MatrixXd projected = z.transpose() * (assemble_stiffness(energy) * z);
+    const Eigen::MatrixXd matrix = Eigen::MatrixXd(space.matrix()).selfadjointView<Eigen::Lower>();
+    EXPECT_LT((matrix - projected).norm(), 1e-12 * projected.norm());
+    // The correction solves the projected problem: what it leaves has nothing in the space (but for the shift of the diagonal, 1e-8).
+    const Vectors r = random_vectors(particles, 3);
+    Vectors correction(r.size(), Eigen::Vector3d::Zero());
+    space.add_correction(r, correction);
+    const Eigen::VectorXd rest = z.transpose() * (flat(r) - assemble_stiffness(energy) * flat(correction));
+    EXPECT_LT(rest.norm(), 1e-5 * (z.transpose() * flat(r)).norm());
+}
+
+TEST(CoarseSpace, spares_iterations) {
+    const ConformingBody body = make_conforming_body(tagged_cube(8), {{0, triclinic()}});
+    std::vector<PrescribedFace> prescribed;
+    for (int f = 0; f < body.faces.size(); ++f)
+        if (body.faces.faces[f].is_boundary() && side_of(body.faces.faces[f].centroid) == bottom)
+            prescribed.push_back({f, Eigen::Vector3d::Ones(), Eigen::Vector3d::Zero()});
+    const QuadraticEnergy energy = make_energy(body, 2, prescribed);
+    const GradientStencils stencils = gradient_stencils(body);
+    const std::vector<Eigen::Matrix3d> blocks = diagonal_blocks(energy, stencils);
+    const CoarseSpace space(energy, stencils, 50);
+    StiffnessOperator stiffness(energy);
+    const auto iterations = [&](bool two_levels) {
+        const LinearSystem system{[&](const Vectors& u, Vectors& f) { stiffness.apply(u, f); },
+                                  [&](const Vectors& r, Vectors& z) {
+                                      for (std::size_t i = 0; i < r.size(); ++i) z[i] = blocks[i].ldlt().solve(r[i]);
+                                      if (two_levels) space.add_correction(r, z);
+                                  }};
+        Vectors u(body.particles.size(), Eigen::Vector3d::Zero());
+        return conjugate_gradients(system, Vectors(u.size(), Eigen::Vector3d(0, 0, 1)), u, 1e-8, 5000).iterations;
+    };
+    const int one = iterations(false), two = iterations(true);
+    printf("  iterations: %d with the block diagonal, %d with lumps beside it\n", one, two);
+    EXPECT_LT(2 * two, one);
+}
 
 TEST(Stiffness, is_symmetric) {
     const FullBody full;
@@ -62,7 +111,7 @@ TEST(Stiffness, diagonal_blocks_are_those_of_the_assembled_form) {
     const FullBody full;
     const QuadraticEnergy energy = make_energy(full.body, 2, full.prescribed());
     const Eigen::SparseMatrix<double> assembled = assemble_stiffness(energy);
-    const std::vector<Eigen::Matrix3d> blocks = diagonal_blocks(energy);
+    const std::vector<Eigen::Matrix3d> blocks = diagonal_blocks(energy, gradient_stencils(full.body));
     for (int i = 0; i < full.body.particles.size(); ++i) {
         const Eigen::Matrix3d block = assembled.block(3 * i, 3 * i, 3, 3);
         EXPECT_LT((blocks[i] - block).norm(), 1e-12 * block.norm());
@@ -71,7 +120,8 @@ TEST(Stiffness, diagonal_blocks_are_those_of_the_assembled_form) {
 
 /// Eigenvalues of the assembled K, ascending.
 Eigen::VectorXd spectrum(const QuadraticEnergy& energy) {
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(assemble_stiffness(energy)), Eigen::EigenvaluesOnly).eigenvalues();
+    const Eigen::MatrixXd stiffness = assemble_stiffness(energy);
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
 TEST(Stiffness, free_body_has_six_motions_without_energy_and_no_more) {

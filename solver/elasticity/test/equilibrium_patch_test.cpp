@@ -58,7 +58,8 @@ TEST(Patch, single_components_held_on_three_sides) {
     const auto field = [gradient](const Eigen::Vector3d& x) -> Eigen::Vector3d { return gradient * x; };
     EquilibriumProblem problem{.mesh = mesh};
     problem.stiffness = {{0, stiffness}};
-    problem.displacements = {{left, {true, false, false}, field}, {front, {false, true, false}, field}, {bottom, {false, false, true}, field}};
+    problem.displacements = {
+        {left, {true, false, false}, field}, {front, {false, true, false}, field}, {bottom, {false, false, true}, field}};
     for (const int side : {right, back, top})
         problem.tractions.push_back({side, [stress](const auto&, const Eigen::Vector3d& n) -> Eigen::Vector3d { return stress * n; }});
     EXPECT_LT(worst_displacement(solve_equilibrium(problem, tight()), field), exact);

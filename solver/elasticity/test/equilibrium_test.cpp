@@ -111,7 +111,6 @@ TEST(FreeBody, load_and_acceleration_balance) {
     }
     EXPECT_LT((load - inertia).norm(), 1e-9 * scale);
     EXPECT_LT((torque - turn).norm(), 1e-9 * scale);
-    EXPECT_LT((load / 2500 - solution.acceleration[0]).norm() / load.norm(), 1) << "a block of one cubic metre";
 }
 
 TEST(FreeBody, displacement_has_no_rigid_part) {
@@ -167,7 +166,8 @@ Errors manufactured(int n) {
         Eigen::Vector3d force = Eigen::Vector3d::Zero();
         for (int j = 0; j < 3; ++j) {
             const Eigen::Vector3d step = 1e-5 * Eigen::Vector3d::Unit(j);
-            force -= (stress_matrix(stiffness, field.gradient(x + step)) - stress_matrix(stiffness, field.gradient(x - step))).col(j) / 2e-5;
+            const Eigen::Matrix3d change = field.gradient(x + step) - field.gradient(x - step);
+            force -= stress_matrix(stiffness, change).col(j) / 2e-5;
         }
         return force;
     };
@@ -184,18 +184,21 @@ Errors manufactured(int n) {
         error.recovered += v * (solution.recovered.stress[i] - stress).squaredNorm();
         scale.stress += v * stress.squaredNorm();
     }
-    return {std::sqrt(error.displacement / scale.displacement), std::sqrt(error.stress / scale.stress), std::sqrt(error.recovered / scale.stress)};
+    return {std::sqrt(error.displacement / scale.displacement), std::sqrt(error.stress / scale.stress),
+            std::sqrt(error.recovered / scale.stress)};
 }
 
 TEST(Equilibrium, manufactured_solution_converges) {
     std::vector<double> size, displacement, stress, recovered;
     for (const int n : {5, 7, 10}) {
         const Errors errors = manufactured(n);
-        size.push_back(1.0 / n), displacement.push_back(errors.displacement), stress.push_back(errors.stress), recovered.push_back(errors.recovered);
-        printf("  %5d particles: displacement %.2f %%, stress %.2f %%, recovered stress %.2f %%\n", 6 * n * n * n, 100 * errors.displacement,
-               100 * errors.stress, 100 * errors.recovered);
+        size.push_back(1.0 / n), displacement.push_back(errors.displacement);
+        stress.push_back(errors.stress), recovered.push_back(errors.recovered);
+        printf("  %5d particles: displacement %.2f %%, stress %.2f %%, recovered stress %.2f %%\n", 6 * n * n * n,
+               100 * errors.displacement, 100 * errors.stress, 100 * errors.recovered);
     }
-    printf("  orders: displacement %.2f, stress %.2f, recovered stress %.2f\n", order(size, displacement), order(size, stress), order(size, recovered));
+    printf("  orders: displacement %.2f, stress %.2f, recovered stress %.2f\n", order(size, displacement), order(size, stress),
+           order(size, recovered));
     EXPECT_GT(order(size, displacement), 1.7);
     EXPECT_GT(order(size, stress), 0.95);
     EXPECT_GT(order(size, recovered), 1.2);

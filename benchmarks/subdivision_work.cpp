@@ -11,18 +11,24 @@ SubdivisionCase pot_case() {
 }
 
 PureStores::PureStores(int children, int points)
-    : tets_(4 * static_cast<std::size_t>(children)), links_(4 * static_cast<std::size_t>(children)), parents_(children),
-      centroids_(3 * static_cast<std::size_t>(children)), volumes_(children), points_(3 * static_cast<std::size_t>(points)) {}
+    : tets_(children), links_(children), centroids_(children), points_(points), volumes_(children), parents_(children) {}
 
 void PureStores::run() {
-    ++turn_;  // another value each time, so that no store may be left out
-    for (auto* array : {&tets_, &links_, &parents_}) std::fill(array->begin(), array->end(), turn_);
-    for (auto* array : {&centroids_, &volumes_, &points_}) std::fill(array->begin(), array->end(), static_cast<double>(turn_));
+    ++turn_;  // other values each time, so that no store may be left out
+    const int children = static_cast<int>(tets_.size()), points = static_cast<int>(points_.size());
+    for (int k = 0; k < points; ++k) points_[k] = {1.0 * k, 1.0 * turn_, 2.0};
+    for (int k = 0; k < children; ++k) {
+        tets_[k] = {k, turn_, k, turn_};
+        links_[k] = {turn_, k, turn_, k};
+        centroids_[k] = {1.0 * turn_, 1.0 * k, 3.0};
+        volumes_[k] = 1.0 * k;
+        parents_[k] = turn_ + k;
+    }
 }
 
 std::size_t PureStores::bytes() const {
-    return sizeof(int) * (tets_.size() + links_.size() + parents_.size()) +
-           sizeof(double) * (centroids_.size() + volumes_.size() + points_.size());
+    return tets_.size() * (sizeof tets_[0] + sizeof links_[0] + sizeof centroids_[0] + sizeof volumes_[0] + sizeof parents_[0]) +
+           points_.size() * sizeof points_[0];
 }
 
 PureStores stores_like(const subdivision::Subdivided& result, const mesh::TetMesh& original) {

@@ -4,6 +4,7 @@
 #include "solver/subdivision/cut.hpp"
 #include "solver/subdivision/subdivided.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct SubdivisionCase {
 SubdivisionCase pot_case();
 
 /// What a subdivision of this size writes, and nothing else: connectivity (16 bytes a child), links (16), centroid (24), volume
-/// (8), parent (4), and 24 bytes a new point. The floor under every subdivision on this machine.
+/// (8), parent (4), child by child as a subdivision does, and 24 bytes a new point. The floor under every subdivision on this machine.
 class PureStores {
 public:
     PureStores(int children, int points);
@@ -30,8 +31,10 @@ public:
     std::size_t bytes() const;
 
 private:
-    std::vector<int> tets_, links_, parents_;
-    std::vector<double> centroids_, volumes_, points_;
+    std::vector<std::array<int, 4>> tets_, links_;
+    std::vector<std::array<double, 3>> centroids_, points_;
+    std::vector<double> volumes_;
+    std::vector<int> parents_;
     int turn_ = 0;
 };
 

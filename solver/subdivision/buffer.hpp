@@ -1,9 +1,11 @@
 #pragma once
 
+#include "solver/subdivision/huge_pages.hpp"
+
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <type_traits>
+#include <utility>
 
 namespace cleave::subdivision {
 
@@ -14,9 +16,14 @@ class Buffer {
     static_assert(std::is_trivially_copyable_v<Value>);
 
 public:
+    Buffer() = default;
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+    ~Buffer() { free(); }
+
     std::size_t size() const { return size_; }
-    Value* data() { return values_.get(); }
-    const Value* data() const { return values_.get(); }
+    Value* data() { return values_; }
+    const Value* data() const { return values_; }
     Value& operator[](std::size_t i) { return values_[i]; }
     const Value& operator[](std::size_t i) const { return values_[i]; }
     const Value* begin() const { return data(); }
@@ -34,13 +41,17 @@ public:
 
 private:
     void grow(std::size_t capacity) {
-        auto values = std::make_unique_for_overwrite<Value[]>(capacity);
-        std::copy_n(values_.get(), size_, values.get());
-        values_ = std::move(values);
+        Value* values = HugePageAllocator<Value>().allocate(capacity);
+        std::copy_n(values_, size_, values);
+        free();
+        values_ = values;
         capacity_ = capacity;
     }
+    void free() {
+        if (values_ != nullptr) HugePageAllocator<Value>().deallocate(values_, capacity_);
+    }
 
-    std::unique_ptr<Value[]> values_;
+    Value* values_ = nullptr;
     std::size_t size_ = 0, capacity_ = 0;
 };
 

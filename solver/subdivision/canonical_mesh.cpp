@@ -36,11 +36,11 @@ void sort_tets(const mesh::TetMesh& mesh, CanonicalMesh& out) {
         std::sort(position.begin(), position.end(), [&](int a, int b) { return vertices[a] < vertices[b]; });
         bool odd = false;
         for (int i = 0; i < 4; ++i) {
-            out.sorted[tet][i] = vertices[position[i]];
+            out.records[tet].sorted[i] = vertices[position[i]];
             for (int j = 0; j < i; ++j) odd ^= position[j] > position[i];
         }
-        out.position[tet] = position;
-        out.odd[tet] = odd ? 1 : 0;
+        out.records[tet].position = position;
+        out.records[tet].odd = odd ? 1 : 0;
     }
 }
 
@@ -50,7 +50,10 @@ void number_edges(CanonicalMesh& out) {
     };
     const Buckets<Item> buckets = bucketed<Item>(out.vertices.size(), [&](const auto& add) {
         for (int tet = 0; tet < out.tets(); ++tet) {
-            for (int e = 0; e < 6; ++e) add(out.sorted[tet][edge_ends[e][0]], {out.sorted[tet][edge_ends[e][1]], 6 * tet + e});
+            for (int e = 0; e < 6; ++e) {
+                const auto& v = out.records[tet].sorted;
+                add(v[edge_ends[e][0]], {v[edge_ends[e][1]], 6 * tet + e});
+            }
         }
     });
     std::vector<Item> bucket;
@@ -59,7 +62,7 @@ void number_edges(CanonicalMesh& out) {
         std::sort(bucket.begin(), bucket.end(), [](const Item& a, const Item& b) { return a.high < b.high; });
         for (std::size_t i = 0; i < bucket.size(); ++i) {
             if (i == 0 || bucket[i].high != bucket[i - 1].high) out.edge_ends.push_back({static_cast<int>(low), bucket[i].high});
-            out.edge[bucket[i].slot / 6][bucket[i].slot % 6] = out.edges() - 1;
+            out.records[bucket[i].slot / 6].edge[bucket[i].slot % 6] = out.edges() - 1;
         }
     }
 }
@@ -71,7 +74,7 @@ void number_faces(CanonicalMesh& out) {
     };
     const Buckets<Item> buckets = bucketed<Item>(out.vertices.size(), [&](const auto& add) {
         for (int tet = 0; tet < out.tets(); ++tet) {
-            const auto& v = out.sorted[tet];
+            const auto& v = out.records[tet].sorted;
             add(v[1], {v[2], v[3], 4 * tet});
             add(v[0], {v[2], v[3], 4 * tet + 1});
             add(v[0], {v[1], v[3], 4 * tet + 2});
@@ -87,22 +90,20 @@ void number_faces(CanonicalMesh& out) {
         for (std::size_t i = 0; i < bucket.size(); ++i) {
             const int slot = bucket[i].slot;
             const bool known = i > 0 && bucket[i].same(bucket[i - 1]);
-            out.face[slot / 4][slot % 4] = known ? out.faces - 1 : out.faces++;
-            out.opposite[slot / 4][slot % 4] = -1;
+            out.records[slot / 4].face[slot % 4] = known ? out.faces - 1 : out.faces++;
+            out.records[slot / 4].opposite[slot % 4] = -1;
             if (!known) continue;
             if (i > 1 && bucket[i].same(bucket[i - 2])) throw std::invalid_argument("CanonicalMesh: three tets share a face");
             const int other = bucket[i - 1].slot;
-            out.opposite[slot / 4][slot % 4] = other;
-            out.opposite[other / 4][other % 4] = slot;
+            out.records[slot / 4].opposite[slot % 4] = other;
+            out.records[other / 4].opposite[other % 4] = slot;
         }
     }
 }
 
 }  // namespace
 
-CanonicalMesh::CanonicalMesh(const mesh::TetMesh& mesh)
-    : sorted(mesh.tets.size()), position(mesh.tets.size()), odd(mesh.tets.size()), opposite(mesh.tets.size()), edge(mesh.tets.size()),
-      face(mesh.tets.size()) {
+CanonicalMesh::CanonicalMesh(const mesh::TetMesh& mesh) : records(mesh.tets.size()) {
     const std::vector<double> shortest = shortest_incident_edges(mesh);
     vertices.reserve(mesh.vertices.size());
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/mesh/tet_mesh.hpp"
+#include "solver/subdivision/huge_pages.hpp"
 
 #include <array>
 #include <cstdint>
@@ -16,18 +17,23 @@ using Vector4 __attribute__((vector_size(32))) = double;
 struct CanonicalMesh {
     explicit CanonicalMesh(const mesh::TetMesh& mesh);
 
-    int tets() const { return static_cast<int>(sorted.size()); }
+    int tets() const { return static_cast<int>(records.size()); }
     int edges() const { return static_cast<int>(edge_ends.size()); }
 
-    std::vector<Vector4> vertices;                     ///< x, y, z, shortest incident edge, m
-    std::vector<std::array<int, 4>> sorted;            ///< per tet: vertices ascending
-    std::vector<std::array<std::uint8_t, 4>> position; ///< per tet: where sorted vertex i stands in the tet
-    std::vector<std::uint8_t> odd;                     ///< per tet: the sorted order has the other orientation
-    std::vector<std::array<int, 4>> opposite;          ///< per tet and face (opposite sorted vertex f): 4 * tet + face, or -1
-    std::vector<std::array<int, 6>> edge;              ///< per tet: numbers of its edges, in the order of edge_ends of a tet
-    std::vector<std::array<int, 4>> face;              ///< per tet: numbers of its faces
-    std::vector<std::array<int, 2>> edge_ends;         ///< per edge: its vertices, ascending; edges in this order
-    int faces = 0;                                     ///< number of faces
+    /// One tet, all that a cut asks of it side by side in memory.
+    struct Record {
+        std::array<int, 4> sorted;            ///< vertices ascending
+        std::array<int, 4> opposite;          ///< behind the face opposite sorted vertex f: 4 * tet + face, or -1
+        std::array<int, 6> edge;              ///< numbers of its edges, in the order of edge_ends of a tet
+        std::array<int, 4> face;              ///< numbers of its faces
+        std::array<std::uint8_t, 4> position; ///< where sorted vertex i stands in the tet
+        std::uint8_t odd;                     ///< the sorted order has the other orientation
+    };
+
+    LargeVector<Vector4> vertices;                    ///< x, y, z, shortest incident edge, m
+    LargeVector<Record> records;                      ///< per tet
+    LargeVector<std::array<int, 2>> edge_ends;        ///< per edge: its vertices, ascending; edges in this order
+    int faces = 0;                                    ///< number of faces
 };
 
 }  // namespace cleave::subdivision

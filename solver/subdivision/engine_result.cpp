@@ -6,59 +6,62 @@
 
 namespace cleave::subdivision {
 
-struct SubdivisionEngine::Sides {
-    FaceSide low, high;
-    Triangle face;
-};
-
-std::array<double, 3> SubdivisionEngine::vertex(int number) const {
+Triangle SubdivisionEngine::triangle(const std::array<int, 4>& tet, int face) const {
+    Triangle corners;
     const auto originals = static_cast<int>(canonical_.vertices.size());
-    if (number >= originals) return points_[static_cast<std::size_t>(number - originals)];
-    const Vector4& x = canonical_.vertices[number];
-    return {x[0], x[1], x[2]};
-}
-
-/// The pieces on both sides of the original face whose smaller half face is `key`.
-void SubdivisionEngine::gather_sides(int key, Sides& sides) const {
-    const auto triangle = [&](const std::array<int, 4>& tet, int face) {
-        Triangle corners;
-        const std::array<int, 3> numbers = mesh::face_of(tet, face);
-        for (int i = 0; i < 3; ++i) {
-            const std::array<double, 3> x = vertex(numbers[i]);
+    for (int i = 0; i < 3; ++i) {
+        const int number = tet[mesh::face_vertices[face][i]];
+        if (number < originals) {
+            const Vector4& x = canonical_.vertices[number];
+            corners[i] = {x[0], x[1], x[2]};
+        } else {
+            const std::array<double, 3>& x = points_[static_cast<std::size_t>(number - originals)];
             corners[i] = {x[0], x[1], x[2]};
         }
-        return corners;
-    };
-    const auto gather = [&](int tet, int sorted_face, FaceSide& side) {
-        side.count = 0;
-        if (!is_cut(tet)) {
-            const int face = canonical_.position[tet][sorted_face];
-            side.add(4 * tet + face, triangle(original_.tets[tet], face));
-            return;
-        }
-        const FacePieces& pieces = table(tet).pieces[sorted_face];
-        std::array<std::uint8_t, 5> ascending = pieces.half_face;
-        std::sort(ascending.begin(), ascending.begin() + pieces.count);
-        for (int k = 0; k < pieces.count; ++k) {
-            const std::size_t child = static_cast<std::size_t>(states_[tet].first_child + ascending[k] / 4);
-            side.add(child_half_face(tet, ascending[k]), triangle(child_tets_[child], ascending[k] % 4));
-        }
-    };
-    const int tet = key / 4;
-    const auto& position = canonical_.position[tet];
-    const int face = static_cast<int>(std::find(position.begin(), position.end(), key % 4) - position.begin());
-    const int behind = canonical_.opposite[tet][face];
-    gather(tet, face, sides.low);
-    gather(behind / 4, behind % 4, sides.high);
-    sides.face = triangle(original_.tets[tet], key % 4);
+    }
+    return corners;
+}
+
+/// One side of a face: the tet itself where it is whole, else its pieces.
+FaceSide SubdivisionEngine::face_side(int tet, int sorted_face) const {
+    FaceSide side;
+    if (!is_cut(tet)) {
+        const int face = canonical_.records[tet].position[sorted_face];
+        side.add(4 * tet + face, triangle(original_.tets[tet], face));
+        return side;
+    }
+    const FacePieces& pieces = states_[tet].pieces->pieces[sorted_face];
+    for (int k = 0; k < pieces.count; ++k) {
+        const int piece = pieces.ascending[k];
+        side.add(child_half_face(tet, piece), triangle(child_tets_[states_[tet].first_child + piece / 4], piece % 4));
+    }
+    return side;
+}
+
+/// A whole tet before a cut one: link_pieces, without looking at the whole side.
+void SubdivisionEngine::link_whole(int whole_half_face, int tet, int sorted_face, std::vector<ExtraLink>& links) const {
+    const FacePieces& pieces = states_[tet].pieces->pieces[sorted_face];
+    for (int k = 0; k < pieces.count; ++k) {
+        const int piece = pieces.ascending[k];
+        const double area = triangle_area(triangle(child_tets_[states_[tet].first_child + piece / 4], piece % 4));
+        links.push_back({whole_half_face, child_half_face(tet, piece), area});
+    }
 }
 
 void SubdivisionEngine::find_extra_links(std::vector<ExtraLink>& links) const {
     links.clear();
-    Sides sides;
     loose_.for_each([&](std::size_t key) {
-        gather_sides(static_cast<int>(key), sides);
-        link_pieces(sides.low, sides.high, sides.face, links);
+        const int low = static_cast<int>(key / 4), original_face = static_cast<int>(key % 4);
+        const auto& position = canonical_.records[low].position;
+        const int face = static_cast<int>(std::find(position.begin(), position.end(), original_face) - position.begin());
+        const int behind = canonical_.records[low].opposite[face], high = behind / 4;
+        if (!is_cut(low)) {
+            link_whole(static_cast<int>(key), high, behind % 4, links);
+        } else if (!is_cut(high)) {
+            link_whole(4 * high + canonical_.records[high].position[behind % 4], low, face, links);
+        } else {
+            link_pieces(face_side(low, face), face_side(high, behind % 4), triangle(original_.tets[low], original_face), links);
+        }
     });
 }
 
@@ -86,16 +89,16 @@ Subdivided SubdivisionEngine::result() const {
         out.centroid.push_back(mesh::tet_centroid(original_, tet));
         std::array<int, 4> links{-1, -1, -1, -1};
         for (int f = 0; f < 4; ++f) {
-            const int behind = canonical_.opposite[tet][f];
+            const int behind = canonical_.records[tet].opposite[f];
             if (behind < 0 || is_cut(behind / 4)) continue;
-            links[canonical_.position[tet][f]] = renumbered(4 * (behind / 4) + canonical_.position[behind / 4][behind % 4]);
+            links[canonical_.records[tet].position[f]] = renumbered(4 * (behind / 4) + canonical_.records[behind / 4].position[behind % 4]);
         }
         out.links.opposite.insert(out.links.opposite.end(), links.begin(), links.end());
         for (std::int8_t face = 0; face < 4; ++face) out.parent_face.push_back(face);
     }
     for (std::size_t child = 0; child < child_tets_.size(); ++child) {
         const int tet = child_parents_[child];
-        const PieceTable& pieces = table(tet);
+        const PieceTable& pieces = *states_[tet].pieces;
         const std::size_t k = child - static_cast<std::size_t>(states_[tet].first_child);
         out.mesh.tets.push_back(child_tets_[child]);
         out.parent.push_back(tet);
@@ -107,7 +110,7 @@ Subdivided SubdivisionEngine::result() const {
         for (int face = 0; face < 4; ++face) {
             out.links.opposite.push_back(renumbered(child_links_[child][face]));
             const int on = pieces.face[k][face];
-            out.parent_face.push_back(on < 0 ? std::int8_t{-1} : static_cast<std::int8_t>(canonical_.position[tet][on]));
+            out.parent_face.push_back(on < 0 ? std::int8_t{-1} : static_cast<std::int8_t>(canonical_.records[tet].position[on]));
         }
     }
     for (const int parent : out.parent) out.mesh.regions.push_back(original_.regions[parent]);

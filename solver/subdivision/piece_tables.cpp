@@ -58,6 +58,8 @@ void fill_pieces(PieceTable& table) {
         }
         FacePieces& pieces = table.pieces[parent_face];
         for (const auto& [ranks, half_face] : ordered) pieces.half_face[pieces.count++] = static_cast<std::uint8_t>(half_face);
+        pieces.ascending = pieces.half_face;
+        std::sort(pieces.ascending.begin(), pieces.ascending.begin() + pieces.count);
     }
 }
 
@@ -83,7 +85,10 @@ PieceTable build(unsigned plus_mask, bool odd) {
     const CutTemplate& cut = cut_template(plus_mask);
     if (!cut.children.empty()) table.base_face = cut.base_face;
     for (int e = 0; e < 6; ++e) {
-        if ((cut.edges >> e & 1U) != 0) table.cut_edges[table.cut_edge_count++] = static_cast<std::uint8_t>(e);
+        if ((cut.edges >> e & 1U) != 0) table.cut_edges[table.cut_count++] = static_cast<std::uint8_t>(e);
+    }
+    for (int f = 0, count = 0; f < 4; ++f) {
+        if ((cut.quad_faces >> f & 1U) != 0) table.cut_faces[count++] = static_cast<std::uint8_t>(f);
     }
     fill_quads(cut, table);
     for (const ChildTemplate& shape : cut_template(plus_mask).children) {

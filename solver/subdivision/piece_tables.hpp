@@ -12,6 +12,7 @@ namespace cleave::subdivision {
 struct FacePieces {
     int count = 0;                              ///< 3 (base) or 5 (cut)
     std::array<std::uint8_t, 5> half_face{};    ///< 4 * child + face, by piece
+    std::array<std::uint8_t, 5> ascending{};    ///< the same, sorted
 };
 
 /// A template laid out for speed: what each child takes, and who its inner neighbours are.
@@ -27,8 +28,9 @@ struct PieceTable {
     std::array<std::array<std::int8_t, 4>, most_children> face{};     ///< sorted parent's face that a face lies on, -1 inside
     std::array<FacePieces, 4> pieces{};                               ///< by the sorted parent's face
     int base_face = -1;                                               ///< 3-1: the uncut face
-    int cut_edge_count = 0;                                           ///< 3 or 4
+    int cut_count = 0;                                                ///< cut edges, and cut faces too: 3 (3-1) or 4 (2-2)
     std::array<std::uint8_t, 4> cut_edges{};                          ///< numbers 0..5 of the cut edges, ascending
+    std::array<std::uint8_t, 4> cut_faces{};                          ///< numbers 0..3 of the cut faces, ascending
     /// Codes of a cut face's quadrilateral: the two vertices on one side, the two cut points, each pair ascending.
     std::array<std::array<std::uint8_t, 4>, 4> quads{};
 };

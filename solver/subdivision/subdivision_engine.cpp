@@ -1,5 +1,7 @@
 #include "solver/subdivision/subdivision_engine.hpp"
 
+#include <immintrin.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -29,17 +31,38 @@ void store(std::array<double, 3>& out, const Vector4& x) {
     out[2] = x[2];
 }
 
-/// plane.distance and plane.raised of four vertices at once: lane i for x[i].
-Vector4 raised(const SubdivisionPlane& plane, const Vector4* x) {
-    const Vector4 low01 = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6), high01 = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    const Vector4 low23 = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6), high23 = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    const Vector4 xs = __builtin_shufflevector(low01, low23, 0, 1, 4, 5), zs = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
-    const Vector4 ys = __builtin_shufflevector(high01, high23, 0, 1, 4, 5), edges = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
-    const Vector4 d = (plane.normal[0] * (xs - plane.centre[0]) + plane.normal[1] * (ys - plane.centre[1])) +
-                      plane.normal[2] * (zs - plane.centre[2]);
-    const Vector4 size = d >= 0 ? d : -d, least = plane.tau * edges;
-    const Vector4 up = size > least ? size : least;
-    return d >= 0 ? up : -up;
+/// Four vertices turned over: their x, their y, their z, their shortest edges.
+struct FourVertices {
+    Vector4 x, y, z, edge;
+    FourVertices(const Vector4& a, const Vector4& b, const Vector4& c, const Vector4& d) {
+        const Vector4 ab_xz = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_ye = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+        const Vector4 cd_xz = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_ye = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+        x = __builtin_shufflevector(ab_xz, cd_xz, 0, 1, 4, 5);
+        z = __builtin_shufflevector(ab_xz, cd_xz, 2, 3, 6, 7);
+        y = __builtin_shufflevector(ab_ye, cd_ye, 0, 1, 4, 5);
+        edge = __builtin_shufflevector(ab_ye, cd_ye, 2, 3, 6, 7);
+    }
+    /// SubdivisionPlane::distance of each.
+    Vector4 distances(const SubdivisionPlane& plane) const {
+        return (plane.normal[0] * (x - plane.centre[0]) + plane.normal[1] * (y - plane.centre[1])) + plane.normal[2] * (z - plane.centre[2]);
+    }
+    /// SubdivisionPlane::raised of each.
+    Vector4 raised(const SubdivisionPlane& plane) const {
+        const Vector4 d = distances(plane), least = plane.tau * edge;
+        const Vector4 size = d >= 0 ? d : -d;
+        const Vector4 up = size > least ? size : least;
+        return d >= 0 ? up : -up;
+    }
+};
+
+/// Bit i is set where lane i is at least 0 (and not NaN).
+unsigned plus_mask(const Vector4& distances) {
+    return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(distances, _mm256_setzero_pd(), _CMP_GE_OQ)));
+}
+
+void fetch_record(const CanonicalMesh::Record& record) {
+    __builtin_prefetch(&record);
+    __builtin_prefetch(&record.odd);
 }
 
 constexpr int marked = -2;  ///< a barycentre that is wanted and has no number yet
@@ -48,40 +71,24 @@ constexpr int scan_below = 20'000;  ///< tets: smaller meshes are scanned faster
 }  // namespace
 
 SubdivisionEngine::SubdivisionEngine(const mesh::TetMesh& mesh, const Options& options)
-    : tables_(&piece_tables()), canonical_(mesh), original_(mesh), options_(options), states_(mesh.tets.size()), edge_number_(canonical_.edges()),
-      base_number_(canonical_.faces, -1), quad_number_(canonical_.faces, -1), plus_(mesh.vertices.size()), edges_(canonical_.edges()),
+    : tables_(piece_tables().data()), canonical_(mesh), original_(mesh), options_(options), states_(mesh.tets.size()), edge_number_(canonical_.edges()),
+      base_number_(canonical_.faces, -1), quad_number_(canonical_.faces, -1), edges_(canonical_.edges()),
       faces_(canonical_.faces), loose_(4 * mesh.tets.size()) {
     require_valid_tau(options.tau);
     if (canonical_.tets() >= scan_below) {
         boxes_ = TetBoxes(canonical_);
         found_ = SparseBits(mesh.tets.size());
+    } else {
+        plus_.resize(mesh.vertices.size());
+        for (const CanonicalMesh::Record& record : canonical_.records) scanned_.push_back(record.sorted);
     }
     counts_.uncut = canonical_.tets();
 }
 
-Counts SubdivisionEngine::cut(const Cut& cut) {
-    const Cut valid = checked(cut);
-    const SubdivisionPlane plane{{valid.normal[0], valid.normal[1], valid.normal[2]}, {valid.centre[0], valid.centre[1], valid.centre[2]}, options_.tau};
-    const Counts before = counts_;
-    first_parent_ = parents_.size();
-    first_point_ = static_cast<int>(canonical_.vertices.size() + points_.size());
-    find_parents(valid, plane);
-    mark_points();
-    number_points(plane);
-    int centre = static_cast<int>(canonical_.vertices.size() + points_.size());
-    points_.resize(points_.size() + static_cast<std::size_t>(counts_.two_two - before.two_two));
-    for (std::size_t place = first_parent_; place < parents_.size(); ++place) {
-        write_parent(plane, place, centre);
-        centre += table(parents_[place]).children == 20 ? 1 : 0;
-    }
-    ++cuts_;
-    return {counts_.uncut, counts_.three_one - before.three_one, counts_.two_two - before.two_two};
-}
-
 void SubdivisionEngine::reset() {
     for (const int tet : parents_) {
-        const int base = table(tet).base_face;
-        if (base >= 0) base_number_[canonical_.face[tet][base]] = -1;
+        const int base = states_[tet].pieces->base_face;
+        if (base >= 0) base_number_[canonical_.records[tet].face[base]] = -1;
         states_[tet].cut = -1;
     }
     loose_.drain([](std::size_t) {});
@@ -100,7 +107,7 @@ bool SubdivisionEngine::passes_disc(const Cut& cut, const SubdivisionPlane& plan
     std::array<Eigen::Vector3d, 4> corners;
     std::array<double, 4> distances{};
     for (int i = 0; i < 4; ++i) {
-        const Vector4& x = canonical_.vertices[canonical_.sorted[tet][i]];
+        const Vector4& x = canonical_.vertices[canonical_.records[tet].sorted[i]];
         corners[i] = {x[0], x[1], x[2]};
         distances[i] = plane.raised(x);
     }
@@ -112,7 +119,7 @@ void SubdivisionEngine::find_parents(const Cut& cut, const SubdivisionPlane& pla
 }
 
 void SubdivisionEngine::add_parent(int tet, unsigned plus_mask) {
-    states_[tet] = {.cut = cuts_, .first_child = 0, .variant = static_cast<int>(2 * plus_mask) + canonical_.odd[tet]};
+    states_[tet] = {.pieces = &tables_[2 * plus_mask + canonical_.records[tet].odd], .cut = cuts_, .first_child = 0};
     parents_.push_back(tet);
 }
 
@@ -120,9 +127,8 @@ void SubdivisionEngine::scan_all(const Cut& cut, const SubdivisionPlane& plane) 
     const bool disc = std::isfinite(cut.radius);
     for (std::size_t v = 0; v < plus_.size(); ++v) plus_[v] = plane.distance(canonical_.vertices[v]) >= 0 ? 1 : 0;
     const std::uint8_t* plus = plus_.data();
-    const std::array<int, 4>* sorted = canonical_.sorted.data();
     for (int tet = 0, tets = canonical_.tets(); tet < tets; ++tet) {
-        const auto& [a, b, c, d] = sorted[tet];
+        const auto& [a, b, c, d] = scanned_[tet];
         const unsigned mask = plus[a] + 2U * plus[b] + 4U * plus[c] + 8U * plus[d];
         if (mask - 1U >= 14U) continue;  // 0 and 15: all on one side
         if (states_[tet].cut >= 0 || (disc && !passes_disc(cut, plane, tet))) continue;
@@ -133,38 +139,50 @@ void SubdivisionEngine::scan_all(const Cut& cut, const SubdivisionPlane& plane) 
 /// Looks into the boxes at the cut; the set of finds puts them into ascending order.
 void SubdivisionEngine::scan_near(const Cut& cut, const SubdivisionPlane& plane) {
     const bool disc = std::isfinite(cut.radius);
-    const auto mask_of = [&](int tet) {
-        unsigned mask = 0;
-        for (unsigned i = 0; i < 4; ++i) mask |= (plane.distance(canonical_.vertices[canonical_.sorted[tet][i]]) >= 0 ? 1U : 0U) << i;
-        return mask;
-    };
-    boxes_.near(cut, [&](int tet) {
-        const unsigned mask = mask_of(tet);
+    boxes_.near(cut, [&](int tet, const std::array<int, 4>& corners) {
+        const Vector4* x = canonical_.vertices.data();
+        const unsigned mask = plus_mask(FourVertices(x[corners[0]], x[corners[1]], x[corners[2]], x[corners[3]]).distances(plane));
         if (mask - 1U >= 14U) return;
         if (states_[tet].cut >= 0 || (disc && !passes_disc(cut, plane, tet))) return;
-        states_[tet].variant = static_cast<int>(mask);
+        states_[tet].pieces = &tables_[2 * mask + canonical_.records[tet].odd];
         found_.set(static_cast<std::size_t>(tet));
     });
-    found_.drain([&](std::size_t tet) { add_parent(static_cast<int>(tet), static_cast<unsigned>(states_[tet].variant)); });
+    found_.drain([&](std::size_t tet) {
+        states_[tet].cut = cuts_;
+        parents_.push_back(static_cast<int>(tet));
+    });
+}
+
+template <int cuts>
+void SubdivisionEngine::mark_parent(const PieceTable& pieces, int tet) {
+    const CanonicalMesh::Record& record = canonical_.records[tet];
+    for (int k = 0; k < cuts; ++k) edges_.set(record.edge[pieces.cut_edges[k]]);
+    for (int k = 0; k < cuts; ++k) {
+        const int face = record.face[pieces.cut_faces[k]];
+        quad_number_[face] = marked;
+        faces_.set(face);
+    }
+    if constexpr (cuts == 3) {
+        const int face = record.face[pieces.base_face];
+        if (base_number_[face] >= 0) return;
+        base_number_[face] = marked;
+        faces_.set(face);
+    }
 }
 
 /// Gives parents their places among the children and marks the edges and faces that need a point.
 void SubdivisionEngine::mark_points() {
+    constexpr std::size_t ahead = 12;
     int children = static_cast<int>(child_tets_.size());
     for (std::size_t place = first_parent_; place < parents_.size(); ++place) {
+        if (place + ahead < parents_.size()) fetch_record(canonical_.records[parents_[place + ahead]]);
         const int tet = parents_[place];
-        const PieceTable& pieces = table(tet);
+        const PieceTable& pieces = *states_[tet].pieces;
         states_[tet].first_child = children;
         children += pieces.children;
         --counts_.uncut;
         ++(pieces.base_face >= 0 ? counts_.three_one : counts_.two_two);
-        for (int i = 0; i < pieces.cut_edge_count; ++i) edges_.set(canonical_.edge[tet][pieces.cut_edges[i]]);
-        for (int f = 0; f < 4; ++f) {
-            const int face = canonical_.face[tet][f];
-            if (f == pieces.base_face && base_number_[face] >= 0) continue;
-            (f == pieces.base_face ? base_number_ : quad_number_)[face] = marked;
-            faces_.set(face);
-        }
+        pieces.base_face >= 0 ? mark_parent<3>(pieces, tet) : mark_parent<4>(pieces, tet);
     }
     child_tets_.resize(children);
     child_links_.resize(children);
@@ -176,70 +194,140 @@ void SubdivisionEngine::mark_points() {
 /// Numbers the marked points in the order of their edges and faces, and writes those on edges.
 void SubdivisionEngine::number_points(const SubdivisionPlane& plane) {
     int number = first_point_;
-    edges_.drain([&](std::size_t edge) {
+    cut_edges_.clear();
+    edges_.drain([&](std::size_t edge) { cut_edges_.push_back(static_cast<int>(edge)); });
+    const std::size_t count = cut_edges_.size(), before = points_.size();
+    points_.resize(before + count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i + 16 < count) __builtin_prefetch(&canonical_.edge_ends[cut_edges_[i + 16]]);
+        if (i + 8 < count) {
+            for (const int v : canonical_.edge_ends[cut_edges_[i + 8]]) __builtin_prefetch(&canonical_.vertices[v]);
+        }
+        const int edge = cut_edges_[i];
         const auto& [a, b] = canonical_.edge_ends[edge];
         const Vector4 &xa = canonical_.vertices[a], &xb = canonical_.vertices[b];
         const double da = plane.raised(xa), db = plane.raised(xb);
         const Vector4 x = xa + da / (da - db) * (xb - xa);
-        points_.resize(points_.size() + 1);
-        store(points_[points_.size() - 1], x);
+        store(points_[before + i], x);
         edge_number_[edge] = number++;
-    });
+    }
     const int first_face_point = number;
     faces_.drain([&](std::size_t face) { (base_number_[face] == marked ? base_number_ : quad_number_)[face] = number++; });
     points_.resize(points_.size() + static_cast<std::size_t>(number - first_face_point));
 }
 
-void SubdivisionEngine::set_point(int number, const Vector4& x) {
-    store(points_[static_cast<std::size_t>(number) - canonical_.vertices.size()], x);
+/// Asks the memory for what the parents a little further on will need: at millions of tets each is a miss.
+void SubdivisionEngine::fetch_ahead(std::size_t place) const {
+    constexpr std::size_t far = 8, near = 4;
+    if (place + far < parents_.size()) fetch_record(canonical_.records[parents_[place + far]]);
+    if (place + near >= parents_.size()) return;
+    const int tet = parents_[place + near];
+    const CanonicalMesh::Record& record = canonical_.records[tet];
+    for (int i = 0; i < 4; ++i) {
+        __builtin_prefetch(&canonical_.vertices[record.sorted[i]]);
+        if (record.opposite[i] >= 0) __builtin_prefetch(&states_[record.opposite[i] / 4]);
+        __builtin_prefetch(&quad_number_[record.face[i]]);
+    }
 }
 
-/// One of the two tets at a face writes its point: the only one of this cut, or the first.
-bool SubdivisionEngine::writes_face_point(int tet, int face) const {
-    const int behind = canonical_.opposite[tet][face];
-    return behind < 0 || states_[behind / 4].cut != cuts_ || tet < behind / 4;
+/// The smaller of the two original half faces at a face (in the original numbering of faces).
+int SubdivisionEngine::half_face_key(int tet, int face) const {
+    const int here = 4 * tet + canonical_.records[tet].position[face];
+    const int behind = canonical_.records[tet].opposite[face];
+    return std::min(here, 4 * (behind / 4) + canonical_.records[behind / 4].position[behind % 4]);
 }
 
-void SubdivisionEngine::write_parent(const SubdivisionPlane& plane, std::size_t place, int centre) {
-    const int tet = parents_[place];
-    const PieceTable& pieces = table(tet);
+/// Links the pieces of a face to those behind it, where they are the same; else notes the face as loose.
+inline void SubdivisionEngine::link_face(const State& here, int tet, int face) {
+    const int behind = canonical_.records[tet].opposite[face];
+    if (behind < 0) return;
+    const State& there = states_[behind / 4];
+    if (there.cut != cuts_) {
+        link_face_across_cuts(here, tet, face);
+        return;
+    }
+    const FacePieces &pieces = here.pieces->pieces[face], &mirror = there.pieces->pieces[behind % 4];
+    int* links = (child_links_.data() + here.first_child)->data();
+    const int other = 4 * (canonical_.tets() + there.first_child);
+    for (int k = 0; k < 3; ++k) links[pieces.half_face[k]] = other + mirror.half_face[k];
+    if (face == here.pieces->base_face) return;
+    for (int k = 3; k < 5; ++k) links[pieces.half_face[k]] = other + mirror.half_face[k];
+}
+
+/// The tet behind is whole or was cut before: only two bases conform.
+void SubdivisionEngine::link_face_across_cuts(const State& here, int tet, int face) {
+    const int behind = canonical_.records[tet].opposite[face];
+    const State& there = states_[behind / 4];
+    const int key = half_face_key(tet, face);
+    if (there.cut < 0 || face != here.pieces->base_face || behind % 4 != there.pieces->base_face) {
+        loose_.set(key);
+        return;
+    }
+    // The other side was written when this tet was whole.
+    const FacePieces &pieces = here.pieces->pieces[face], &mirror = there.pieces->pieces[behind % 4];
+    for (int k = 0; k < 3; ++k) {
+        const int half_face = pieces.half_face[k], other = mirror.half_face[k];
+        child_links_[here.first_child + half_face / 4][half_face % 4] = child_half_face(behind / 4, other);
+        child_links_[there.first_child + other / 4][other % 4] = child_half_face(tet, half_face);
+    }
+    loose_.reset(key);
+}
+
+/// Writes a face's point. Of two tets of this cut at the face the one with the smaller number does; the other writes the same
+/// bits beside the array (a choice of address, because a branch on it cannot be foretold).
+void SubdivisionEngine::set_face_point(int tet, int face, int number, const Vector4& x) {
+    const int behind = canonical_.records[tet].opposite[face];
+    const int other = behind < 0 ? tet : behind / 4;
+    const bool writes = (behind < 0) | (states_[other].cut != cuts_) | (tet < other);
+    std::array<double, 3> unused;
+    store(writes ? points_[static_cast<std::size_t>(number) - canonical_.vertices.size()] : unused, x);
+}
+
+template <int cuts>
+void SubdivisionEngine::write_parent(const SubdivisionPlane& plane, int tet, int centre) {
+    const PieceTable& pieces = *states_[tet].pieces;
+    const CanonicalMesh::Record& record = canonical_.records[tet];
     std::array<Vector4, 15> corners;
     std::array<int, 60> numbers;  // four places a point, like the corners
     for (int i = 0; i < 4; ++i) {
-        numbers[4 * i] = canonical_.sorted[tet][i];
-        corners[i] = canonical_.vertices[numbers[4 * i]];
+        numbers[4 * i] = record.sorted[i];
+        corners[i] = canonical_.vertices[record.sorted[i]];
     }
-    const Vector4 distances = raised(plane, corners.data());
-    for (int k = 0; k < pieces.cut_edge_count; ++k) {
+    const Vector4 distances = FourVertices(corners[0], corners[1], corners[2], corners[3]).raised(plane);
+    for (int k = 0; k < cuts; ++k) {
         const int e = pieces.cut_edges[k];
         const auto& [i, j] = edge_ends[e];
         corners[first_edge_code + e] = corners[i] + distances[i] / (distances[i] - distances[j]) * (corners[j] - corners[i]);
-        numbers[4 * (first_edge_code + e)] = edge_number_[canonical_.edge[tet][e]];
+        numbers[4 * (first_edge_code + e)] = edge_number_[record.edge[e]];
     }
-    for (int f = 0; f < 4; ++f) {
-        const int face = canonical_.face[tet][f];
-        Vector4& x = corners[first_face_code + f];
-        if (f == pieces.base_face) {
-            x = ((corners[f == 0 ? 1 : 0] + corners[f <= 1 ? 2 : 1]) + corners[f <= 2 ? 3 : 2]) / 3;
-        } else {
-            const auto& quad = pieces.quads[f];
-            x = ((corners[quad[0]] + corners[quad[1]]) + (corners[quad[2]] + corners[quad[3]])) / 4;
-        }
-        const int number = (f == pieces.base_face ? base_number_ : quad_number_)[face];
+    for (int k = 0; k < cuts; ++k) {
+        const int f = pieces.cut_faces[k];
+        const auto& quad = pieces.quads[f];
+        const Vector4 x = ((corners[quad[0]] + corners[quad[1]]) + (corners[quad[2]] + corners[quad[3]])) / 4;
+        const int number = quad_number_[record.face[f]];
+        corners[first_face_code + f] = x;
         numbers[4 * (first_face_code + f)] = number;
-        if (number >= first_point_ && writes_face_point(tet, f)) set_point(number, x);
+        set_face_point(tet, f, number, x);
     }
-    if (pieces.base_face < 0) {
+    if constexpr (cuts == 3) {
+        const int f = pieces.base_face;
+        const Vector4 x = ((corners[f == 0 ? 1 : 0] + corners[f <= 1 ? 2 : 1]) + corners[f <= 2 ? 3 : 2]) / 3;
+        const int number = base_number_[record.face[f]];
+        corners[first_face_code + f] = x;
+        numbers[4 * (first_face_code + f)] = number;
+        if (number >= first_point_) set_face_point(tet, f, number, x);
+    } else {
         const auto ring = [&](int k) { return corners[first_edge_code + pieces.cut_edges[k]]; };
         corners[centre_code] = (((ring(0) + ring(1)) + ring(2)) + ring(3)) / 4;
         numbers[4 * centre_code] = centre;
-        set_point(centre, corners[centre_code]);
+        store(points_[static_cast<std::size_t>(centre) - canonical_.vertices.size()], corners[centre_code]);
     }
-    write_children(pieces, tet, reinterpret_cast<const double*>(corners.data()), numbers.data());
-    for (int f = 0; f < 4; ++f) link_face(pieces, tet, f);
+    write_children<cuts == 3 ? 14 : 20>(pieces, tet, reinterpret_cast<const double*>(corners.data()), numbers.data());
+    for (int f = 0; f < 4; ++f) link_face(states_[tet], tet, f);
 }
 
 /// `corners` and `numbers`: of all 15 points, four places a point.
+template <int count>
 void SubdivisionEngine::write_children(const PieceTable& pieces, int tet, const double* corners, const int* numbers) {
     const std::size_t first = static_cast<std::size_t>(states_[tet].first_child);
     const int first_half_face = 4 * (canonical_.tets() + states_[tet].first_child);
@@ -248,7 +336,7 @@ void SubdivisionEngine::write_children(const PieceTable& pieces, int tet, const 
     std::array<double, 3>* __restrict centroids = child_centroids_.data() + first;
     double* __restrict volumes = child_volumes_.data() + first;
     int* __restrict parents = child_parents_.data() + first;
-    for (int k = 0, count = pieces.children; k < count; ++k) {
+    for (int k = 0; k < count; ++k) {
         const auto& [i, j, l, m] = pieces.offsets[k];
         const auto point = [corners](std::uint8_t offset) { return *reinterpret_cast<const Vector4*>(corners + offset); };
         const Vector4 a = point(i), b = point(j), c = point(l), d = point(m);
@@ -264,41 +352,24 @@ void SubdivisionEngine::write_children(const PieceTable& pieces, int tet, const 
     }
 }
 
-int SubdivisionEngine::child_half_face(int tet, std::uint8_t relative) const {
-    return 4 * (canonical_.tets() + states_[tet].first_child) + relative;
-}
-
-/// The smaller of the two original half faces at a face (in the original numbering of faces).
-int SubdivisionEngine::half_face_key(int tet, int face) const {
-    const int here = 4 * tet + canonical_.position[tet][face];
-    const int behind = canonical_.opposite[tet][face];
-    return std::min(here, 4 * (behind / 4) + canonical_.position[behind / 4][behind % 4]);
-}
-
-/// Links the pieces of a face to those behind it, where they are the same; else notes the face as loose.
-void SubdivisionEngine::link_face(const PieceTable& pieces, int tet, int face) {
-    const int behind = canonical_.opposite[tet][face];
-    if (behind < 0) return;
-    const int other = behind / 4, other_face = behind % 4;
-    const State& there = states_[other];
-    const bool earlier = there.cut != cuts_;
-    if (there.cut < 0) {
-        loose_.set(half_face_key(tet, face));
-        return;
+Counts SubdivisionEngine::cut(const Cut& cut) {
+    const Cut valid = checked(cut);
+    const SubdivisionPlane plane{{valid.normal[0], valid.normal[1], valid.normal[2]}, {valid.centre[0], valid.centre[1], valid.centre[2]}, options_.tau};
+    const Counts before = counts_;
+    first_parent_ = parents_.size();
+    first_point_ = static_cast<int>(canonical_.vertices.size() + points_.size());
+    find_parents(valid, plane);
+    mark_points();
+    number_points(plane);
+    int centre = static_cast<int>(canonical_.vertices.size() + points_.size());
+    points_.resize(points_.size() + static_cast<std::size_t>(counts_.two_two - before.two_two));
+    for (std::size_t place = first_parent_; place < parents_.size(); ++place) {
+        fetch_ahead(place);
+        const int tet = parents_[place];
+        states_[tet].pieces->base_face >= 0 ? write_parent<3>(plane, tet, -1) : write_parent<4>(plane, tet, centre++);
     }
-    const PieceTable& other_pieces = table(other);
-    if (earlier && (face != pieces.base_face || other_face != other_pieces.base_face)) {
-        loose_.set(half_face_key(tet, face));
-        return;
-    }
-    const FacePieces &here = pieces.pieces[face], &mirror = other_pieces.pieces[other_face];
-    int* links = child_links_.data()->data();
-    const int first = 4 * states_[tet].first_child, other_first = 4 * there.first_child, children = 4 * canonical_.tets();
-    for (int k = 0; k < here.count; ++k) links[first + here.half_face[k]] = children + other_first + mirror.half_face[k];
-    if (!earlier) return;
-    // The other side was written at an earlier cut, when this tet was whole.
-    for (int k = 0; k < here.count; ++k) links[other_first + mirror.half_face[k]] = children + first + here.half_face[k];
-    loose_.reset(half_face_key(tet, face));
+    ++cuts_;
+    return {counts_.uncut, counts_.three_one - before.three_one, counts_.two_two - before.two_two};
 }
 
 }  // namespace cleave::subdivision

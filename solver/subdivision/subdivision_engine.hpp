@@ -4,6 +4,7 @@
 #include "solver/subdivision/buffer.hpp"
 #include "solver/subdivision/canonical_mesh.hpp"
 #include "solver/subdivision/cut.hpp"
+#include "solver/subdivision/links.hpp"
 #include "solver/subdivision/options.hpp"
 #include "solver/subdivision/piece_tables.hpp"
 #include "solver/subdivision/sparse_bits.hpp"
@@ -67,40 +68,45 @@ public:
 
 private:
     struct State {
-        int cut = -1;          ///< the cut that divided the tet, -1: whole
-        int first_child = 0;   ///< among the children
-        int variant = 0;       ///< 2 * plus mask + odd: names its piece table
+        const PieceTable* pieces = nullptr;  ///< how the tet is divided
+        int cut = -1;                        ///< the cut that divided it, -1: whole
+        int first_child = 0;                 ///< among the children
     };
-    const PieceTable& table(int tet) const { return (*tables_)[static_cast<std::size_t>(states_[tet].variant)]; }
     void find_parents(const Cut& cut, const SubdivisionPlane& plane);
     void scan_all(const Cut& cut, const SubdivisionPlane& plane);
     void scan_near(const Cut& cut, const SubdivisionPlane& plane);
     void add_parent(int tet, unsigned plus_mask);
     bool passes_disc(const Cut& cut, const SubdivisionPlane& plane, int tet) const;
     void mark_points();
+    void fetch_ahead(std::size_t place) const;
     void number_points(const SubdivisionPlane& plane);
-    void write_parent(const SubdivisionPlane& plane, std::size_t place, int centre);
+    template <int cuts>
+    void mark_parent(const PieceTable& pieces, int tet);
+    template <int cuts>
+    void write_parent(const SubdivisionPlane& plane, int tet, int centre);
+    template <int count>
     void write_children(const PieceTable& pieces, int tet, const double* corners, const int* numbers);
-    void link_face(const PieceTable& pieces, int tet, int face);
-    bool writes_face_point(int tet, int face) const;
-    void set_point(int number, const Vector4& x);
+    void link_face(const State& here, int tet, int face);
+    void link_face_across_cuts(const State& here, int tet, int face);
+    void set_face_point(int tet, int face, int number, const Vector4& x);
     int half_face_key(int tet, int face) const;
-    int child_half_face(int tet, std::uint8_t relative) const;
+    int child_half_face(int tet, int relative) const { return 4 * (canonical_.tets() + states_[tet].first_child) + relative; }
+    Triangle triangle(const std::array<int, 4>& tet, int face) const;
+    FaceSide face_side(int tet, int sorted_face) const;
+    void link_whole(int whole_half_face, int tet, int sorted_face, std::vector<ExtraLink>& links) const;
 
-    std::array<double, 3> vertex(int number) const;
-    struct Sides;
-    void gather_sides(int key, Sides& sides) const;
-
-    const std::array<PieceTable, 32>* tables_;
+    const PieceTable* tables_;
     CanonicalMesh canonical_;
     TetBoxes boxes_;                 ///< empty for small meshes
     mesh::TetMesh original_;
     Options options_;
-    std::vector<State> states_;
-    std::vector<int> edge_number_;   ///< per edge, of the current cut
-    std::vector<int> base_number_;   ///< per face: its barycentre as an uncut face, -1: none yet
-    std::vector<int> quad_number_;   ///< per face, of the current cut
-    std::vector<std::uint8_t> plus_;  ///< per vertex: its side, of the current cut
+    LargeVector<State> states_;
+    LargeVector<int> edge_number_;   ///< per edge, of the current cut
+    LargeVector<int> base_number_;   ///< per face: its barycentre as an uncut face, -1: none yet
+    LargeVector<int> quad_number_;   ///< per face, of the current cut
+    std::vector<std::array<int, 4>> scanned_;  ///< small meshes: the tets' sorted vertices, close together
+    std::vector<std::uint8_t> plus_;  ///< small meshes, per vertex: its side, of the current cut
+    Buffer<int> cut_edges_;          ///< of the current cut
     SparseBits edges_, faces_;       ///< with new points in the current cut
     SparseBits found_;               ///< parents of the current cut, before they are listed
     SparseBits loose_;               ///< original half faces (the smaller of the two) whose sides do not conform

@@ -24,9 +24,9 @@ struct Bounds {
 std::vector<int> along_curve(const CanonicalMesh& mesh) {
     std::vector<Eigen::Vector3d> centres;
     centres.reserve(mesh.tets());
-    for (const auto& tet : mesh.sorted) {
+    for (const CanonicalMesh::Record& tet : mesh.records) {
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (const int v : tet) sum += Eigen::Vector3d(mesh.vertices[v][0], mesh.vertices[v][1], mesh.vertices[v][2]);
+        for (const int v : tet.sorted) sum += Eigen::Vector3d(mesh.vertices[v][0], mesh.vertices[v][1], mesh.vertices[v][2]);
         centres.push_back(sum / 4);
     }
     return mesh::morton_order(centres);
@@ -34,7 +34,9 @@ std::vector<int> along_curve(const CanonicalMesh& mesh) {
 
 }  // namespace
 
-TetBoxes::TetBoxes(const CanonicalMesh& mesh) : order_(along_curve(mesh)) {
+TetBoxes::TetBoxes(const CanonicalMesh& mesh) {
+    items_.reserve(mesh.records.size());
+    for (const int tet : along_curve(mesh)) items_.push_back({tet, mesh.records[tet].sorted});
     const auto make_level = [&](std::size_t items, const auto& add_item) {
         std::vector<Box> boxes((items + 63) / 64);
         for (std::size_t box = 0; box < boxes.size(); ++box) {
@@ -47,8 +49,8 @@ TetBoxes::TetBoxes(const CanonicalMesh& mesh) : order_(along_curve(mesh)) {
         }
         levels_.push_back(std::move(boxes));
     };
-    make_level(order_.size(), [&](Bounds& bounds, std::size_t i) {
-        for (const int v : mesh.sorted[order_[i]]) {
+    make_level(items_.size(), [&](Bounds& bounds, std::size_t i) {
+        for (const int v : items_[i].sorted) {
             for (int axis = 0; axis < 3; ++axis) bounds.add(axis, mesh.vertices[v][axis], mesh.vertices[v][axis]);
         }
     });

@@ -18,7 +18,7 @@ public:
     TetBoxes() = default;
     explicit TetBoxes(const CanonicalMesh& mesh);
 
-    /// Calls visit(tet) for at least each tet that the cut (with a unit normal) may pass, in no order of use.
+    /// Calls visit(tet, its sorted vertices) for at least each tet that the cut (with a unit normal) may pass, in no order of use.
     template <class Visit>
     void near(const Cut& cut, const Visit& visit) const {
         if (!levels_.empty()) descend(cut, levels_.size() - 1, 0, levels_.back().size(), visit);
@@ -37,12 +37,16 @@ private:
             if (level > 0) {
                 descend(cut, level - 1, 64 * box, std::min(64 * box + 64, levels_[level - 1].size()), visit);
             } else {
-                for (std::size_t i = 64 * box; i < std::min(64 * box + 64, order_.size()); ++i) visit(order_[i]);
+                for (std::size_t i = 64 * box; i < std::min(64 * box + 64, items_.size()); ++i) visit(items_[i].tet, items_[i].sorted);
             }
         }
     }
 
-    std::vector<int> order_;                ///< tets along the curve
+    struct Item {
+        int tet;
+        std::array<int, 4> sorted;
+    };
+    LargeVector<Item> items_;               ///< tets along the curve
     std::vector<std::vector<Box>> levels_;  ///< [0] of 64 tets each, the last one of at most 64 boxes
 };
 

@@ -42,8 +42,6 @@ double area(const Polygon& polygon) {
 
 }  // namespace
 
-double triangle_area(const Triangle& triangle) { return 0.5 * (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).norm(); }
-
 FaceFrame::FaceFrame(const Triangle& face) : origin_(face[0]), first_((face[1] - face[0]).normalized()) {
     const Eigen::Vector3d side = face[2] - face[0];
     second_ = (side - first_.dot(side) * first_).normalized();

@@ -3,14 +3,19 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 
 namespace cleave::subdivision {
 
 using Triangle = std::array<Eigen::Vector3d, 3>;
 using FlatTriangle = std::array<Eigen::Vector2d, 3>;
 
-/// m^2.
-double triangle_area(const Triangle& triangle);
+/// m^2. Written out, so that the order of rounding is fixed.
+inline double triangle_area(const Triangle& triangle) {
+    const Eigen::Vector3d u = triangle[1] - triangle[0], v = triangle[2] - triangle[0];
+    const double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
+    return 0.5 * std::sqrt((x * x + y * y) + z * z);
+}
 
 /// Maps points of a face's plane to two dimensions, lengths kept.
 class FaceFrame {

@@ -19,7 +19,7 @@ namespace cleave::validation {
 struct SolutionCall {
     std::string name;
     std::map<std::string, std::string> words;              ///< keys with string values
-    std::map<std::string, double> numbers;                 ///< keys with plain numbers
+    std::map<std::string, double> numbers;                 ///< keys with numbers or quantities, SI
     std::map<std::string, std::array<double, 3>> vectors;  ///< keys with quantities, SI
     std::string where;                                     ///< dotted key, for messages
 };

@@ -115,7 +115,6 @@ void require_consistency(const TableReader& table, const Check& check, const Cas
     if (scalar && !check.at.empty()) table.fail("at", "no place for a quantity of the whole body");
     if (check.reference.kind == Reference::Kind::value && !scalar && (check.at.empty() || check.observable.component.empty()))
         table.fail("reference", "'at' and 'component' beside a reference value");
-    if (scalar && check.reference.kind == Reference::Kind::solution) table.fail("reference", "a value or a solver for a quantity of the whole body");
     if (check.reference.kind == Reference::Kind::value && check.reference.value == 0)
         for (const auto& [solver, band] : check.bands)
             if (band.relative) table.fail("band", "an absolute band beside a reference of zero");
@@ -144,6 +143,9 @@ const std::vector<std::pair<std::string, Dimension>>& quantities() {
         {"force_error", dimension::none},              // force against finite differences of the energy
         {"force_error_as_printed", dimension::none},   // the same for Eq. 9 as printed
         {"rotated_energy_error", dimension::none},     // change of the corotated energy when the body turns by 1 rad
+        {"energy_release_rate", dimension::energy_per_area},         // moved vertices, whole front
+        {"energy_release_rate_domain", dimension::energy_per_area},  // domain integral, whole front
+        {"crack_opening", dimension::length},                        // at the crack's centre
         {"acceleration_balance", dimension::none}};    // free body: |load - mass * acceleration| and its moment, relative
     return list;
 }

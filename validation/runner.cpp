@@ -67,8 +67,14 @@ Samples restrict_to(const Samples& all, const Region& region) {
     return chosen;
 }
 
+analytic::Field reference_field(const Check& check, const Case& of) {
+    analytic::Field field = make_field(*check.reference.solution, of);
+    if (!field.stress) throw std::invalid_argument("a solution that gives fields");
+    return field;
+}
+
 Samples reference_samples(const Check& check, LevelSources& sources, const std::vector<Point>& points) {
-    if (check.reference.kind == Reference::Kind::solution) return evaluate(make_field(*check.reference.solution, sources.of()), points);
+    if (check.reference.kind == Reference::Kind::solution) return evaluate(reference_field(check, sources.of()), points);
     return sources.get(check.reference.source).inside(points);
 }
 
@@ -114,7 +120,7 @@ Measurement measure_point(const Check& check, const std::string& solver, const P
     if (check.reference.kind == Reference::Kind::value) measurement.reference = check.reference.value;
     if (check.reference.kind == Reference::Kind::solver) measurement.reference = value_of(sources.get(check.reference.source).at({point}));
     if (check.reference.kind == Reference::Kind::solution)
-        measurement.reference = value_of(evaluate(make_field(*check.reference.solution, sources.of()), {point}));
+        measurement.reference = value_of(evaluate(reference_field(check, sources.of()), {point}));
     set_errors(measurement);
     return measurement;
 }
@@ -125,6 +131,12 @@ Measurement measure_scalar(const Check& check, const std::string& solver, LevelS
     if (check.reference.kind == Reference::Kind::value) measurement.reference = check.reference.value;
     if (check.reference.kind == Reference::Kind::solver)
         measurement.reference = sources.get(check.reference.source).scalar(check.observable.quantity) / check.divide_by;
+    if (check.reference.kind == Reference::Kind::solution) {
+        const analytic::Field field = make_field(*check.reference.solution, sources.of());
+        const auto scalar = field.scalars.find(check.observable.quantity);
+        if (scalar == field.scalars.end()) throw std::invalid_argument("a solution that gives the quantity " + check.observable.quantity);
+        measurement.reference = scalar->second / check.divide_by;
+    }
     set_errors(measurement);
     return measurement;
 }

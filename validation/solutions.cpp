@@ -3,6 +3,7 @@
 #include "validation/analytic/lekhnitskii_hole.hpp"
 #include "validation/analytic/linear_displacement.hpp"
 #include "validation/analytic/manufactured_trigonometric.hpp"
+#include "validation/analytic/sneddon_penny.hpp"
 
 #include <fmt/format.h>
 
@@ -28,6 +29,7 @@ void read_keys(const SolutionInfo& solution, TableReader& table, SolutionCall& c
         switch (key.kind) {
             case SolutionInfo::Key::Kind::word: call.words[key.name] = table.choice(key.name, key.choices); break;
             case SolutionInfo::Key::Kind::number: call.numbers[key.name] = table.number(key.name); break;
+            case SolutionInfo::Key::Kind::quantity: call.numbers[key.name] = table.quantity(key.name, key.dimension); break;
             case SolutionInfo::Key::Kind::vector: call.vectors[key.name] = table.vector(key.name, key.dimension); break;
         }
     }
@@ -43,6 +45,12 @@ double number(const SolutionCall& call, const std::string& key, double fallback)
     return found == call.numbers.end() ? fallback : found->second;
 }
 
+double quantity(const SolutionCall& call, const std::string& key) {
+    const auto found = call.numbers.find(key);
+    if (found == call.numbers.end()) throw std::invalid_argument("the key '" + key + "' in [solution." + call.name + "]");
+    return found->second;
+}
+
 /// The edge of the shape's bounding box or its "length": the scale of a manufactured wave.
 double body_length(const Case& of) {
     for (const char* key : {"extent", "length", "half_width"})
@@ -56,6 +64,8 @@ double body_length(const Case& of) {
 analytic::Field build(const SolutionCall& call, const Case& of, const analytic::Stiffness& stiffness) {
     if (call.name == "linear_displacement") return analytic::linear_displacement(stiffness, analytic::generic_gradient());
     if (call.name == "manufactured_trigonometric") return analytic::manufactured_trigonometric(stiffness, body_length(of), number(call, "scale", 1));
+    if (call.name == "sneddon_penny")
+        return analytic::sneddon_penny(stiffness, of.shape->length("crack_radius"), quantity(call, "pressure"), number(call, "box_factor", 1));
     const auto remote = call.vectors.find("remote");
     if (remote == call.vectors.end()) throw std::invalid_argument("the key 'remote' (xx, yy, xy) in [solution.lekhnitskii_hole]");
     const auto state = word(call, "plane", "strain") == "strain" ? analytic::PlaneState::strain : analytic::PlaneState::stress;
@@ -72,7 +82,10 @@ const std::vector<SolutionInfo>& solutions() {
         {"manufactured_trigonometric", "plane waves with the body force that balances them, any material; scale multiplies the amplitude 1e-3 L", {{"scale", Kind::number, {}, {}}}},
         {"lekhnitskii_hole",
          "circular hole in an infinite plate, z = 0 a plane of elastic symmetry (Lekhnitskii 1968)",
-         {{"plane", Kind::word, {"strain", "stress"}, {}}, {"remote", Kind::vector, {}, dimension::pressure}}}};
+         {{"plane", Kind::word, {"strain", "stress"}, {}}, {"remote", Kind::vector, {}, dimension::pressure}}},
+        {"sneddon_penny",
+         "penny crack under pressure in infinite isotropic space: energy_release_rate, crack_opening, energy (Sneddon 1946)",
+         {{"pressure", Kind::quantity, {}, dimension::pressure}, {"box_factor", Kind::number, {}, {}}}}};
     return list;
 }
 

@@ -11,11 +11,11 @@ namespace cleave::validation {
 /// What `validate --list` tells about an analytic solution, and the keys it reads.
 struct SolutionInfo {
     struct Key {
-        enum class Kind { word, number, vector };
+        enum class Kind { word, number, quantity, vector };
         std::string name;
         Kind kind;
         std::vector<std::string> choices;  ///< of a word
-        Dimension dimension;               ///< of a vector of three quantities
+        Dimension dimension;               ///< of a quantity or a vector of three
     };
     std::string name, about;
     std::vector<Key> keys;

@@ -1,5 +1,4 @@
-#include "solver/elasticity/equilibrium.hpp"
-
+#include "solver/elasticity/energy_release.hpp"
 #include "solver/input/input_error.hpp"
 #include "solver/mesh/check.hpp"
 #include "solver/mesh/msh_file.hpp"
@@ -10,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <chrono>
+#include <cmath>
 #include <random>
 
 namespace cleave::validation {
@@ -97,6 +97,9 @@ public:
             return std::abs(moved - solution_.strain_energy) / solution_.strain_energy;
         }
         if (quantity == "acceleration_balance") return acceleration_balance();
+        if (quantity == "energy_release_rate") return energy_release().by_movement;
+        if (quantity == "energy_release_rate_domain") return energy_release().by_domain_integral;
+        if (quantity == "crack_opening") return crack_opening();
         throw InputError(of_.file, quantity, "a quantity that sph.conforming has");
     }
     Resolution resolution() const override { return {size_, static_cast<long>(samples_.size()), 3 * static_cast<long>(samples_.size())}; }
@@ -133,6 +136,34 @@ private:
             add(particles.position[i], -mass * solution_.acceleration[i]);
         }
         return std::max(force.norm() / size_of_force, moment.norm() / size_of_moment);
+    }
+
+    geometry::CrackGrowth crack() const {
+        const auto growth = of_.shape->crack_growth();
+        if (!growth) throw InputError(of_.file, "geometry.shape", "a body with a crack");
+        return *growth;
+    }
+
+    elasticity::EnergyRelease energy_release() const {
+        const geometry::CrackGrowth growth = crack();
+        const elasticity::CrackExtension extension{body_.surfaces.at(growth.surface),
+                                                   [growth](const Eigen::Vector3d& x) { return eigen(growth.growth(plain(x))); }};
+        return elasticity::energy_release(make_problem(of_, body_, mesh_), options_, solution_, {extension}, growth.step).front();
+    }
+
+    /// Mean over the lips within 0.3 radii of the centre, each face scaled by the ellipse sqrt(1 - r^2/a^2) it should lie on.
+    double crack_opening() const {
+        const geometry::CrackGrowth growth = crack();
+        const double a = of_.shape->length("crack_radius");
+        std::array<double, 2> sum{}, weight{};  // lips by the side their normal points to
+        for (const elasticity::BoundaryTrace& face : solution_.boundary) {
+            const double r = face.position.norm();
+            if (face.surface != body_.surfaces.at(growth.surface) || r > 0.3 * a) continue;
+            const std::size_t lip = face.normal.dot(eigen(growth.normal)) > 0 ? 0 : 1;
+            sum[lip] -= face.area * face.displacement.dot(face.normal) / std::sqrt(1 - r * r / (a * a));
+            weight[lip] += face.area;
+        }
+        return sum[0] / weight[0] + sum[1] / weight[1];
     }
 
     const Case& of_;

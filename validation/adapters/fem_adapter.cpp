@@ -1,7 +1,15 @@
 #include "reference_fem/elasticity.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/mesh/msh_file.hpp"
 #include "validation/adapters/sources.hpp"
 #include "validation/solutions.hpp"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
 
 namespace cleave::validation {
 
@@ -51,9 +59,40 @@ Samples gather(const std::vector<fem::FieldSample>& list) {
     return samples;
 }
 
+/// The mesh with its vertices moved by `distance` times the growth, as a file of its own beside the mesh; removed again.
+class MovedMesh {
+public:
+    MovedMesh(const geometry::Body& body, const geometry::CrackGrowth& growth, double distance) : body_(body) {
+        mesh::TetMesh mesh = mesh::read_msh(body.mesh_file);
+        for (Eigen::Vector3d& x : mesh.vertices) {
+            const Point q = growth.growth({x[0], x[1], x[2]});
+            x += distance * Eigen::Vector3d(q[0], q[1], q[2]);
+        }
+        body_.mesh_file += fmt::format(".moved{}.msh", ::getpid());
+        mesh::write_msh(mesh, body_.mesh_file);
+    }
+    ~MovedMesh() {
+        std::error_code ignored;
+        std::filesystem::remove(body_.mesh_file, ignored);
+    }
+    MovedMesh(const MovedMesh&) = delete;
+    MovedMesh& operator=(const MovedMesh&) = delete;
+    const geometry::Body& body() const { return body_; }
+
+private:
+    geometry::Body body_;
+};
+
+bool holds_only(const Case& of) {
+    for (const SurfaceLoad& load : of.loads)
+        if (load.kind == SurfaceLoad::Kind::displacement && (load.solution || load.vector != std::array<double, 3>{})) return false;
+    return true;
+}
+
 class FemSource final : public FieldSource {
 public:
-    FemSource(fem::Solution solution, double size) : solution_(std::move(solution)), size_(size), samples_(gather(solution_.quadrature_samples(3))) {}
+    FemSource(const Case& of, const geometry::Body& body, const fem::Options& options, fem::Solution solution, double size)
+        : of_(of), body_(body), options_(options), solution_(std::move(solution)), size_(size), samples_(gather(solution_.quadrature_samples(3))) {}
 
     const Samples& everywhere() const override { return samples_; }
     Samples at(const std::vector<Point>& points) const override { return gather(solution_.recovered_at(points)); }
@@ -62,11 +101,51 @@ public:
         if (quantity == "energy") return solution_.energy();
         if (quantity == "external_work") return solution_.external_work();
         if (quantity == "residual") return solution_.record().relative_residual;
-        throw InputError("", quantity, "a quantity that finite elements have");
+        if (quantity == "energy_release_rate") return energy_release_rate();
+        if (quantity == "crack_opening") return crack_opening();
+        throw InputError(of_.file, quantity, "a quantity that finite elements have");
     }
     Resolution resolution() const override { return {size_, solution_.record().cells, solution_.record().dofs}; }
 
 private:
+    geometry::CrackGrowth crack() const {
+        const auto growth = of_.shape->crack_growth();
+        if (!growth) throw InputError(of_.file, "geometry.shape", "a body with a crack");
+        return *growth;
+    }
+
+    /// G = dU/dA at fixed load (Irwin 1956), by a central difference of two solves on moved vertices: no re-meshing, so the mesh's own
+    /// error cancels. Prescribed displacements must be zero: then the potential energy is -U.
+    double energy_release_rate() const {
+        if (!holds_only(of_)) throw InputError(of_.file, "load.displacement", "zero displacements beside an energy release rate of the FEM");
+        const geometry::CrackGrowth growth = crack();
+        const auto energy_at = [&](double distance) {
+            const MovedMesh moved(body_, growth, distance);
+            return fem::solve(make_problem(of_, moved.body()), options_).energy();
+        };
+        return (energy_at(growth.step) - energy_at(-growth.step)) / (2 * growth.step * growth.front_length);
+    }
+
+    /// Mean over the lips' vertices within 0.3 radii of the centre, scaled by the ellipse sqrt(1 - r^2/a^2) they should lie on.
+    double crack_opening() const {
+        const geometry::CrackGrowth growth = crack();
+        const double a = of_.shape->length("crack_radius");
+        const std::vector<Point> x = solution_.vertices(), u = solution_.vertex_displacements();
+        const auto dot = [&](const Point& p) { return p[0] * growth.normal[0] + p[1] * growth.normal[1] + p[2] * growth.normal[2]; };
+        std::array<double, 2> sum{}, count{};
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const double r = std::hypot(x[i][0], x[i][1], x[i][2]);
+            if (r > 0.3 * a || std::abs(dot(x[i])) > 1e-9 * a) continue;
+            const double open = dot(u[i]) / std::sqrt(1 - r * r / (a * a));
+            const std::size_t lip = open > 0 ? 0 : 1;
+            sum[lip] += std::abs(open), count[lip] += 1;
+        }
+        return sum[0] / count[0] + sum[1] / count[1];
+    }
+
+    const Case& of_;
+    geometry::Body body_;
+    fem::Options options_;
     fem::Solution solution_;
     double size_;
     Samples samples_;
@@ -81,7 +160,7 @@ std::unique_ptr<FieldSource> run_fem(const Case& of, const geometry::Body& body,
         fem::Solution solution = fem::solve(make_problem(of, body), options);
         const fem::SolveRecord& record = solution.record();
         note = {solver, record.solver, record.cells, record.dofs, record.iterations, record.relative_residual, record.seconds};
-        return std::make_unique<FemSource>(std::move(solution), size);
+        return std::make_unique<FemSource>(of, body, options, std::move(solution), size);
     } catch (const fem::Error& error) {
         throw InputError(of.file, solver, std::string("a problem that can be solved: ") + error.what());
     }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <string>
 
 namespace cleave::analytic {
@@ -17,6 +18,7 @@ struct Field {
     std::function<Gradient(const Point&)> gradient;   ///< 1
     std::function<Voigt(const Point&)> stress;        ///< Pa
     std::function<Point(const Point&)> body_force;    ///< N/m^3; empty where there is none
+    std::map<std::string, double> scalars;            ///< quantities of the whole body, SI, by name; solutions without fields have only these
     std::string source;                               ///< literature, for the report
 };
 

@@ -57,6 +57,18 @@ public:
         if (key == "half_width") return penny_.half_width;
         throw std::invalid_argument(fmt::format("one of crack_radius, half_width (not '{}')", key));
     }
+    /// Radial growth of the whole front, fading to zero at 0.6 radii from it; the difference step is 1e-3 of the radius.
+    std::optional<CrackGrowth> crack_growth() const override {
+        const Penny penny = penny_;
+        const double c = std::cos(penny.crack_angle), s = std::sin(penny.crack_angle), a = penny.crack_radius;
+        const auto growth = [penny, c, s, a](const validation::Point& p) -> validation::Point {
+            const double share = 1 - penny.distance_to_front(p[0], p[1], p[2]) / (0.6 * a);
+            if (share <= 0) return {0, 0, 0};
+            const double along = c * p[0] - s * p[2], r = std::hypot(along, p[1]);  // in the plane of the crack
+            return {share * c * along / r, share * p[1] / r, -share * s * along / r};
+        };
+        return CrackGrowth{"crack", growth, 2 * std::numbers::pi * a, 1e-3 * a, {s, 0, c}};
+    }
     bool uniform_refinement() const override { return false; }
     std::vector<std::string> surface_names() const override { return names; }
 

@@ -4,8 +4,10 @@
 #include "validation/expression.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,15 @@ struct Body {
     std::map<std::string, int> regions;   ///< name -> physical volume tag
 };
 
+/// How the crack of a body grows as a whole: for energy release rates by moved vertices.
+struct CrackGrowth {
+    std::string surface;                                                       ///< of the lips
+    std::function<validation::Point(const validation::Point&)> growth;         ///< m per m of growth; zero away from the front
+    double front_length = 0;                                                   ///< m: crack area gained per metre of growth
+    double step = 0;                                                           ///< m, suitable for a central difference
+    validation::Point normal{};                                                ///< of the crack's plane
+};
+
 /// A parametrised body.
 class Shape {
 public:
@@ -28,6 +39,8 @@ public:
     virtual validation::Coordinates coordinates() const = 0;
     /// A length of the shape by its key, for `relative_to` and analytic solutions. Throws std::invalid_argument.
     virtual double length(const std::string& key) const = 0;
+    /// The crack's growth; none for bodies without a crack.
+    virtual std::optional<CrackGrowth> crack_growth() const { return std::nullopt; }
     /// True where a smaller size refines every part of the mesh alike, so that an observed order means something.
     virtual bool uniform_refinement() const = 0;
     /// Names that loads may use in `on`.

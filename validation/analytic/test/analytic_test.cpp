@@ -1,6 +1,7 @@
 #include "validation/analytic/lekhnitskii_hole.hpp"
 #include "validation/analytic/linear_displacement.hpp"
 #include "validation/analytic/manufactured_trigonometric.hpp"
+#include "validation/analytic/sneddon_penny.hpp"
 
 #include <gtest/gtest.h>
 
@@ -159,6 +160,19 @@ TEST(Hole, ARotatedFrameTurnsTheField) {
     const Field b = lekhnitskii_hole(turned, 1, {0, 1, 0}, PlaneState::strain);
     EXPECT_NEAR(a.stress({0.4, 1.3, 0})[0], b.stress({1.3, 0.4, 0})[1], 1e-10);
     EXPECT_NEAR(a.stress({0.4, 1.3, 0})[1], b.stress({1.3, 0.4, 0})[0], 1e-10);
+}
+
+TEST(Penny, ReproducesTheTextbookNumbersAndItsOwnEnergyBalance) {
+    const Stiffness steel = orthotropic(2e11, 2e11, 2e11, 2e11 / 2.6, 2e11 / 2.6, 2e11 / 2.6, 0.3, 0.3, 0.3);
+    const Field penny = sneddon_penny(steel, 2, 1e6, 1);
+    EXPECT_NEAR(penny.scalars.at("energy_release_rate"), 11.58648, 1e-5);  // = K^2 (1 - nu^2) / E with K = 1.595769e6 Pa m^0.5
+    // dU/dA = G: U grows with the crack's area pi a^2
+    const double step = 1e-4;
+    const double up = sneddon_penny(steel, 2 + step, 1e6, 1).scalars.at("energy"), down = sneddon_penny(steel, 2 - step, 1e6, 1).scalars.at("energy");
+    EXPECT_NEAR((up - down) / (2 * step) / (2 * std::numbers::pi * 2), 11.58648, 1e-5);
+    // work of the pressure on an elliptical opening: p * opening * (2/3) pi a^2 / 2 = U
+    EXPECT_NEAR(1e6 * penny.scalars.at("crack_opening") * std::numbers::pi * 4 * 2 / 3 / 2, penny.scalars.at("energy"), 1e-9);
+    EXPECT_THROW(sneddon_penny(fibre_composite(), 2, 1e6, 1), std::invalid_argument);
 }
 
 }  // namespace

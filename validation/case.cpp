@@ -159,6 +159,10 @@ void read_particles(TableReader& reader, const Defaults& defaults, Case& result)
         result.particles.kernel_seed = kernel->integer_or("seed", 1);
         if (!(result.particles.kernel_aspect >= 1)) kernel->fail("aspect", "a number from 1 (longest over shortest axis)");
     }
+    if (table->has("residual_tolerance")) {
+        result.particles.residual_tolerance = table->number("residual_tolerance");
+        if (!(*result.particles.residual_tolerance > 0)) table->fail("residual_tolerance", "a positive number");
+    }
     if (table->has("link_penalty")) {
         result.particles.link_penalty = table->number("link_penalty");
         if (!(*result.particles.link_penalty >= 0)) table->fail("link_penalty", "a number that is not negative");

@@ -77,6 +77,7 @@ struct Profile {
 
 /// How the strain operators of the particles are fed and tuned.
 struct ParticleSettings {
+    std::optional<double> residual_tolerance;    ///< |f - K u| / |f| at which the equilibrium of `conforming` stops
     std::optional<double> link_penalty;          ///< alpha of `conforming`; the solver's own where absent
     double support_factor = 2.5;                 ///< k in h = k s
     double kernel_aspect = 1;                    ///< longest over shortest support axis, determinant kept

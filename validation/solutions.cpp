@@ -1,5 +1,6 @@
 #include "validation/solutions.hpp"
 
+#include "validation/analytic/laminate.hpp"
 #include "validation/analytic/lekhnitskii_hole.hpp"
 #include "validation/analytic/linear_displacement.hpp"
 #include "validation/analytic/manufactured_trigonometric.hpp"
@@ -83,6 +84,7 @@ const std::vector<SolutionInfo>& solutions() {
         {"lekhnitskii_hole",
          "circular hole in an infinite plate, z = 0 a plane of elastic symmetry (Lekhnitskii 1968)",
          {{"plane", Kind::word, {"strain", "stress"}, {}}, {"remote", Kind::vector, {}, dimension::pressure}}},
+        {"laminate", "two layers, piecewise linear displacement: exact for any two materials (laminate_block)", {}},
         {"sneddon_penny",
          "penny crack under pressure in infinite isotropic space: energy_release_rate, crack_opening, energy (Sneddon 1946)",
          {{"pressure", Kind::quantity, {}, dimension::pressure}, {"box_factor", Kind::number, {}, {}}}}};
@@ -108,14 +110,22 @@ SolutionCall read_solution_defaults(const std::string& name, TableReader& table,
     return call;
 }
 
-analytic::Field make_field(const SolutionCall& call, const Case& of) {
+namespace {
+analytic::Field build_laminate(const Case& of) {
+    const auto lower = of.materials.find("lower"), upper = of.materials.find("upper");
+    if (lower == of.materials.end() || upper == of.materials.end()) throw std::invalid_argument("materials for the regions lower and upper");
+    return analytic::laminate(plain_stiffness(lower->second.stiffness), plain_stiffness(upper->second.stiffness), of.shape->length("interface"),
+                              analytic::generic_gradient());
+}
+}  // namespace
+
+analytic::Field make_field(const SolutionCall& call, const Case& of) try {
+    if (call.name == "laminate") return build_laminate(of);
     const auto whole = of.materials.find("");
     if (whole == of.materials.end()) of.fail(call.where, "a body of one material for this solution");
-    try {
-        return build(call, of, plain_stiffness(whole->second.stiffness));
-    } catch (const std::invalid_argument& error) {
-        of.fail(call.where, error.what());
-    }
+    return build(call, of, plain_stiffness(whole->second.stiffness));
+} catch (const std::invalid_argument& error) {
+    of.fail(call.where, error.what());
 }
 
 analytic::Stiffness plain_stiffness(const material::Stiffness& stiffness) {

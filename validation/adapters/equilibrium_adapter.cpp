@@ -80,6 +80,7 @@ public:
         : of_(of), body_(body), size_(size), mesh_(mesh::read_msh(body.mesh_file)) {
         mesh::check(mesh_, body.mesh_file.string());
         if (of.particles.link_penalty) options_.link_penalty = *of.particles.link_penalty;
+        if (of.particles.residual_tolerance) options_.tolerance = *of.particles.residual_tolerance;
         solution_ = solve(mesh_);
         samples_ = particle_samples(solution_.body->particles, solution_.displacement, solution_.fields);
     }

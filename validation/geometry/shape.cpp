@@ -2,6 +2,7 @@
 
 #include "validation/geometry/block.hpp"
 #include "validation/geometry/imported.hpp"
+#include "validation/geometry/laminate_block.hpp"
 #include "validation/geometry/penny_crack_block.hpp"
 #include "validation/geometry/plate_with_hole.hpp"
 
@@ -19,7 +20,7 @@ struct Entry {
 };
 
 const std::vector<Entry>& entries() {
-    static const std::vector<Entry> list{{block_info(), read_block},
+    static const std::vector<Entry> list{{block_info(), read_block}, {laminate_block_info(), read_laminate_block},
                                          {plate_with_hole_info(), read_plate_with_hole},
                                          {penny_crack_block_info(), read_penny_crack_block}};
     return list;

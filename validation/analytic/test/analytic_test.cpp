@@ -1,3 +1,4 @@
+#include "validation/analytic/laminate.hpp"
 #include "validation/analytic/lekhnitskii_hole.hpp"
 #include "validation/analytic/linear_displacement.hpp"
 #include "validation/analytic/manufactured_trigonometric.hpp"
@@ -160,6 +161,18 @@ TEST(Hole, ARotatedFrameTurnsTheField) {
     const Field b = lekhnitskii_hole(turned, 1, {0, 1, 0}, PlaneState::strain);
     EXPECT_NEAR(a.stress({0.4, 1.3, 0})[0], b.stress({1.3, 0.4, 0})[1], 1e-10);
     EXPECT_NEAR(a.stress({0.4, 1.3, 0})[1], b.stress({1.3, 0.4, 0})[0], 1e-10);
+}
+
+TEST(Laminate, IsContinuousAndItsTractionToo) {
+    const Field field = laminate(triclinic(), fibre_composite(), 0.4, generic_gradient());
+    const Point below{0.3, 0.7, 0.4}, above{0.3, 0.7, 0.4 + 1e-12};
+    for (std::size_t a = 0; a < 3; ++a) EXPECT_NEAR(field.displacement(below)[a], field.displacement(above)[a], 1e-14);
+    const Voigt under = field.stress(below), over = field.stress(above);
+    double jump = 0;
+    for (const std::size_t i : {2U, 3U, 4U}) EXPECT_NEAR(under[i], over[i], 1e-14 * 200);  // entries of C up to 200
+    for (const std::size_t i : {0U, 1U, 5U}) jump = std::max(jump, std::abs(under[i] - over[i]));
+    EXPECT_GT(jump, 1e-3) << "the stress in the plane differs between the layers";
+    EXPECT_LT(gradient_error(field, {0.1, 0.2, 0.9}, 1e-5), 1e-9);
 }
 
 TEST(Penny, ReproducesTheTextbookNumbersAndItsOwnEnergyBalance) {

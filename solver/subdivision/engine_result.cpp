@@ -38,31 +38,52 @@ FaceSide SubdivisionEngine::face_side(int tet, int sorted_face) const {
     return side;
 }
 
-/// A whole tet before a cut one: link_pieces, without looking at the whole side.
-void SubdivisionEngine::link_whole(int whole_half_face, int tet, int sorted_face, std::vector<ExtraLink>& links) const {
-    const FacePieces& pieces = states_[tet].pieces->pieces[sorted_face];
-    for (int k = 0; k < pieces.count; ++k) {
-        const int piece = pieces.ascending[k];
-        const double area = triangle_area(triangle(child_tets_[states_[tet].first_child + piece / 4], piece % 4));
-        links.push_back({whole_half_face, child_half_face(tet, piece), area});
+/// A whole tet before a 3-1 tet's base, the most frequent case: link_pieces from the original vertices alone.
+void SubdivisionEngine::link_base(int whole_half_face, int tet, std::vector<ExtraLink>& links) const {
+    const PieceTable& pieces = *states_[tet].pieces;
+    const auto& sorted = canonical_.records[tet].sorted;
+    const int f = pieces.base_face;
+    std::array<Eigen::Vector3d, 15> points;
+    for (int i = 0; i < 4; ++i) {
+        const Vector4& x = canonical_.vertices[sorted[i]];
+        points[i] = {x[0], x[1], x[2]};
+    }
+    points[first_face_code + f] = (points[f == 0 ? 1 : 0] + points[f <= 1 ? 2 : 1] + points[f <= 2 ? 3 : 2]) / 3;
+    for (int k = 0; k < 3; ++k) {
+        const auto& [a, b, c] = pieces.base_triangles[k];
+        links.push_back({whole_half_face, child_half_face(tet, pieces.pieces[f].ascending[k]), triangle_area({points[a], points[b], points[c]})});
     }
 }
 
+/// A loose face of a cut tet and what lies behind it, unless that was cut later (and lists the face then, if it is still loose).
+void SubdivisionEngine::link_loose_face(int tet, int face, std::vector<ExtraLink>& links) const {
+    const int behind = canonical_.records[tet].opposite[face];
+    const State &here = states_[tet], &there = states_[behind / 4];
+    if (there.cut > here.cut) return;
+    const bool base = face == here.pieces->base_face;
+    if (base && there.cut < 0) {
+        link_base(4 * (behind / 4) + canonical_.records[behind / 4].position[behind % 4], tet, links);
+        return;
+    }
+    const FaceSide own = face_side(tet, face), other = face_side(behind / 4, behind % 4);
+    const bool low = tet < behind / 4;
+    const int low_tet = low ? tet : behind / 4, low_face = low ? face : behind % 4;
+    const Triangle whole = triangle(original_.tets[low_tet], canonical_.records[low_tet].position[low_face]);
+    link_pieces(low ? own : other, low ? other : own, whole, links);
+}
+
 void SubdivisionEngine::find_extra_links(std::vector<ExtraLink>& links) const {
+    constexpr std::size_t far = 12, near = 6;
     links.clear();
-    loose_.for_each([&](std::size_t key) {
-        const int low = static_cast<int>(key / 4), original_face = static_cast<int>(key % 4);
-        const auto& position = canonical_.records[low].position;
-        const int face = static_cast<int>(std::find(position.begin(), position.end(), original_face) - position.begin());
-        const int behind = canonical_.records[low].opposite[face], high = behind / 4;
-        if (!is_cut(low)) {
-            link_whole(static_cast<int>(key), high, behind % 4, links);
-        } else if (!is_cut(high)) {
-            link_whole(4 * high + canonical_.records[high].position[behind % 4], low, face, links);
-        } else {
-            link_pieces(face_side(low, face), face_side(high, behind % 4), triangle(original_.tets[low], original_face), links);
+    for (std::size_t i = 0; i < loose_.size(); ++i) {
+        if (i + far < loose_.size()) __builtin_prefetch(&canonical_.records[loose_[i + far] / 4]);
+        if (i + near < loose_.size()) {
+            const int behind = canonical_.records[loose_[i + near] / 4].opposite[loose_[i + near] % 4];
+            __builtin_prefetch(&states_[behind / 4]);
+            __builtin_prefetch(&canonical_.records[behind / 4].position);
         }
-    });
+        link_loose_face(loose_[i] / 4, loose_[i] % 4, links);
+    }
 }
 
 Subdivided SubdivisionEngine::result() const {

@@ -21,20 +21,36 @@ int original_half_face(const Subdivided& subdivided, int half_face) {
     return face < 0 ? -1 : 4 * subdivided.parent[half_face / 4] + face;
 }
 
-struct TwoSides {
+
+/// (cut, tet, rank of the vertex opposite): see links.hpp on the order of extra links.
+using FaceKey = std::array<int, 3>;
+
+FaceKey face_key(const mesh::TetMesh& original, const std::vector<int>& cut_of_parent, int original_half_face) {
+    const auto& tet = original.tets[original_half_face / 4];
+    const int opposite = tet[original_half_face % 4];
+    const auto smaller = std::count_if(tet.begin(), tet.end(), [opposite](int v) { return v < opposite; });
+    return {cut_of_parent[original_half_face / 4], original_half_face / 4, static_cast<int>(smaller)};
+}
+
+/// The unlinked pieces on the two sides of original faces, and the smaller original half face.
+struct LooseFace {
+    int half_face;
     FaceSide low, high;
 };
 
-/// The unlinked pieces on the two sides of original faces, by the smaller original half face.
-std::map<int, TwoSides> unlinked_pieces(const mesh::HalfFaceLinks& original, const Subdivided& subdivided) {
-    std::map<int, TwoSides> faces;
+std::map<FaceKey, LooseFace> loose_faces(const mesh::TetMesh& original, const Subdivided& subdivided) {
+    const mesh::HalfFaceLinks links = mesh::link_half_faces(original);
+    std::vector<int> cut_of_parent(original.tets.size(), -1);
+    for (std::size_t tet = 0; tet < subdivided.parent.size(); ++tet) cut_of_parent[subdivided.parent[tet]] = subdivided.cut[tet];
+    std::map<FaceKey, LooseFace> faces;
     const int half_faces = static_cast<int>(subdivided.links.opposite.size());
     for (int h = 0; h < half_faces; ++h) {
         const int here = subdivided.links.opposite[h] < 0 ? original_half_face(subdivided, h) : -1;
-        const int there = here < 0 ? -1 : original.opposite[here];
+        const int there = here < 0 ? -1 : links.opposite[here];
         if (there < 0) continue;
-        TwoSides& sides = faces[std::min(here, there)];
-        (here < there ? sides.low : sides.high).add(h, triangle_of(subdivided.mesh, h));
+        LooseFace& face = faces[std::max(face_key(original, cut_of_parent, here), face_key(original, cut_of_parent, there))];
+        face.half_face = std::min(here, there);
+        (here < there ? face.low : face.high).add(h, triangle_of(subdivided.mesh, h));
     }
     return faces;
 }
@@ -104,8 +120,9 @@ void audit_volumes(const mesh::TetMesh& original, const Subdivided& subdivided, 
 void find_links(const mesh::TetMesh& original, Subdivided& subdivided) {
     subdivided.links = mesh::link_half_faces(subdivided.mesh);
     subdivided.extra_links.clear();
-    const auto faces = unlinked_pieces(mesh::link_half_faces(original), subdivided);
-    for (const auto& [face, sides] : faces) link_pieces(sides.low, sides.high, triangle_of(original, face), subdivided.extra_links);
+    for (const auto& [key, face] : loose_faces(original, subdivided)) {
+        link_pieces(face.low, face.high, triangle_of(original, face.half_face), subdivided.extra_links);
+    }
 }
 
 void link_pieces(const FaceSide& low, const FaceSide& high, const Triangle& face, std::vector<ExtraLink>& links) {

@@ -14,6 +14,9 @@ namespace cleave::subdivision {
 /// (paper Fig. 5a), 3-5 (Fig. 5c), and, omitted by the paper, 1-5 (at a disc's edge, or where the neighbour was cut before)
 /// and 5-5 (cut by different planes); those are linked by the area of their overlap. Overlaps under 1e-14 of the original
 /// face are rounding (triangles that share an edge) and no links.
+/// Order of the extra links: each original face stands with that of its two tets that was cut later (by cut, then by number; a
+/// whole tet comes before all), faces of one tet by the number of the vertex they lie opposite to; within a face by the pieces on
+/// the side of the tet with the smaller number, then by those on the other side.
 void find_links(const mesh::TetMesh& original, Subdivided& subdivided);
 
 /// The pieces of an original face on one of its sides: half faces of the result, ascending, and their corners.

@@ -80,6 +80,14 @@ void fill_quads(const CutTemplate& cut, PieceTable& table) {
     }
 }
 
+void fill_base_triangles(PieceTable& table) {
+    if (table.base_face < 0) return;
+    for (int k = 0; k < 3; ++k) {
+        const int piece = table.pieces[table.base_face].ascending[k];
+        for (int i = 0; i < 3; ++i) table.base_triangles[k][i] = table.codes[piece / 4][mesh::face_vertices[piece % 4][i]];
+    }
+}
+
 PieceTable build(unsigned plus_mask, bool odd) {
     PieceTable table;
     const CutTemplate& cut = cut_template(plus_mask);
@@ -105,6 +113,7 @@ PieceTable build(unsigned plus_mask, bool odd) {
     }
     fill_inner_links(table);
     fill_pieces(table);
+    fill_base_triangles(table);
     return table;
 }
 

@@ -31,6 +31,8 @@ struct PieceTable {
     int cut_count = 0;                                                ///< cut edges, and cut faces too: 3 (3-1) or 4 (2-2)
     std::array<std::uint8_t, 4> cut_edges{};                          ///< numbers 0..5 of the cut edges, ascending
     std::array<std::uint8_t, 4> cut_faces{};                          ///< numbers 0..3 of the cut faces, ascending
+    /// Base piece k, ascending: the codes of its corners in the order of face_of.
+    std::array<std::array<std::uint8_t, 3>, 3> base_triangles{};
     /// Codes of a cut face's quadrilateral: the two vertices on one side, the two cut points, each pair ascending.
     std::array<std::array<std::uint8_t, 4>, 4> quads{};
 };

@@ -37,6 +37,15 @@ public:
         }
     }
 
+    std::size_t words() const { return levels_[0].size(); }
+    std::uint64_t word(std::size_t index) const { return levels_[0][index]; }
+
+    /// Calls visit(index) for each word that is not empty, ascending.
+    template <class Visit>
+    void for_each_word(const Visit& visit) const {
+        walk_words(levels_.size() - 1, 0, visit);
+    }
+
     bool test(std::size_t number) const { return (levels_[0][number / 64] >> number % 64 & 1U) != 0; }
 
     /// Calls visit(number) for each number, ascending.
@@ -62,6 +71,18 @@ private:
     }
 
     template <class Visit>
+    void walk_words(std::size_t level, std::size_t word, const Visit& visit) const {
+        if (word >= levels_[level].size() || levels_[level][word] == 0) return;
+        if (level == 0) {
+            visit(word);
+            return;
+        }
+        for (std::uint64_t bits = levels_[level][word]; bits != 0; bits &= bits - 1) {
+            walk_words(level - 1, 64 * word + static_cast<std::size_t>(std::countr_zero(bits)), visit);
+        }
+    }
+
+    template <class Visit>
     void drain_level(std::size_t level, std::size_t word, const Visit& visit) {
         if (word >= levels_[level].size()) return;
         std::uint64_t bits = levels_[level][word];
@@ -73,6 +94,39 @@ private:
     }
 
     std::vector<std::vector<std::uint64_t>> levels_;  ///< [0] the numbers, each next one 64 times shorter
+};
+
+/// A SparseBits that tells a member's place among the members, in memory an eighth of a bit's array of numbers would need.
+class RankedBits {
+public:
+    explicit RankedBits(std::size_t size = 0) : bits_(size), before_(bits_.words()) {}
+
+    void set(std::size_t number) { bits_.set(number); }
+    /// Call once all members are set; returns their count.
+    int rank_all() {
+        int count = 0;
+        bits_.for_each_word([&](std::size_t word) {
+            before_[word] = count;
+            count += std::popcount(bits_.word(word));
+        });
+        return count;
+    }
+    /// How many members are smaller than this member.
+    int rank(std::size_t number) const {
+        const std::uint64_t smaller = (std::uint64_t{1} << number % 64) - 1;
+        return before_[number / 64] + std::popcount(bits_.word(number / 64) & smaller);
+    }
+    template <class Visit>
+    void for_each(const Visit& visit) const {
+        bits_.for_each(visit);
+    }
+    void clear() {
+        bits_.drain([](std::size_t) {});
+    }
+
+private:
+    SparseBits bits_;
+    std::vector<int> before_;  ///< per word: members in the words before it
 };
 
 }  // namespace cleave::subdivision

@@ -36,7 +36,7 @@ struct Subdivided {
     std::vector<Eigen::Vector3d> centroid;  ///< per tet, m
     std::vector<std::int8_t> parent_face;   ///< per half face: the parent's face (0..3) it is a part of, -1 inside the parent
     mesh::HalfFaceLinks links;              ///< pairs of equal faces; -1 at the boundary and where extra links stand
-    std::vector<ExtraLink> extra_links;     ///< pairs that share a part of a face; by original face (its smaller half face)
+    std::vector<ExtraLink> extra_links;     ///< pairs that share a part of a face; in the order of links.hpp
     Counts counts;
 };
 

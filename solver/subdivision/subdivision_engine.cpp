@@ -65,15 +65,14 @@ void fetch_record(const CanonicalMesh::Record& record) {
     __builtin_prefetch(&record.odd);
 }
 
-constexpr int marked = -2;  ///< a barycentre that is wanted and has no number yet
 constexpr int scan_below = 20'000;  ///< tets: smaller meshes are scanned faster than searched
 
 }  // namespace
 
 SubdivisionEngine::SubdivisionEngine(const mesh::TetMesh& mesh, const Options& options)
-    : tables_(piece_tables().data()), canonical_(mesh), original_(mesh), options_(options), states_(mesh.tets.size()), edge_number_(canonical_.edges()),
-      base_number_(canonical_.faces, -1), quad_number_(canonical_.faces, -1), edges_(canonical_.edges()),
-      faces_(canonical_.faces), loose_(4 * mesh.tets.size()) {
+    : tables_(piece_tables().data()), canonical_(mesh), original_(mesh), options_(options), states_(mesh.tets.size()), base_number_(canonical_.faces, -1),
+      edges_(canonical_.edges()),
+      faces_(canonical_.faces) {
     require_valid_tau(options.tau);
     if (canonical_.tets() >= scan_below) {
         boxes_ = TetBoxes(canonical_);
@@ -91,8 +90,8 @@ void SubdivisionEngine::reset() {
         if (base >= 0) base_number_[canonical_.records[tet].face[base]] = -1;
         states_[tet].cut = -1;
     }
-    loose_.drain([](std::size_t) {});
     parents_.clear();
+    loose_.clear();
     points_.clear();
     child_tets_.clear();
     child_links_.clear();
@@ -158,15 +157,11 @@ void SubdivisionEngine::mark_parent(const PieceTable& pieces, int tet) {
     const CanonicalMesh::Record& record = canonical_.records[tet];
     for (int k = 0; k < cuts; ++k) edges_.set(record.edge[pieces.cut_edges[k]]);
     for (int k = 0; k < cuts; ++k) {
-        const int face = record.face[pieces.cut_faces[k]];
-        quad_number_[face] = marked;
-        faces_.set(face);
+        faces_.set(record.face[pieces.cut_faces[k]]);
     }
     if constexpr (cuts == 3) {
         const int face = record.face[pieces.base_face];
-        if (base_number_[face] >= 0) return;
-        base_number_[face] = marked;
-        faces_.set(face);
+        if (base_number_[face] < 0) faces_.set(face);
     }
 }
 
@@ -192,28 +187,26 @@ void SubdivisionEngine::mark_points() {
 }
 
 /// Numbers the marked points in the order of their edges and faces, and writes those on edges.
-void SubdivisionEngine::number_points(const SubdivisionPlane& plane) {
-    int number = first_point_;
+void SubdivisionEngine::number_points(const SubdivisionPlane& plane, int centres) {
+    const int originals = static_cast<int>(canonical_.vertices.size());
+    first_edge_point_ = originals + static_cast<int>(points_.size());
+    first_face_point_ = first_edge_point_ + edges_.rank_all();
+    first_centre_ = first_face_point_ + faces_.rank_all();
+    points_.resize(static_cast<std::size_t>(first_centre_ + centres - originals));
     cut_edges_.clear();
-    edges_.drain([&](std::size_t edge) { cut_edges_.push_back(static_cast<int>(edge)); });
-    const std::size_t count = cut_edges_.size(), before = points_.size();
-    points_.resize(before + count);
+    edges_.for_each([&](std::size_t edge) { cut_edges_.push_back(static_cast<int>(edge)); });
+    const std::size_t count = cut_edges_.size();
+    std::array<double, 3>* points = points_.data() + (first_edge_point_ - originals);
     for (std::size_t i = 0; i < count; ++i) {
         if (i + 16 < count) __builtin_prefetch(&canonical_.edge_ends[cut_edges_[i + 16]]);
         if (i + 8 < count) {
             for (const int v : canonical_.edge_ends[cut_edges_[i + 8]]) __builtin_prefetch(&canonical_.vertices[v]);
         }
-        const int edge = cut_edges_[i];
-        const auto& [a, b] = canonical_.edge_ends[edge];
+        const auto& [a, b] = canonical_.edge_ends[cut_edges_[i]];
         const Vector4 &xa = canonical_.vertices[a], &xb = canonical_.vertices[b];
         const double da = plane.raised(xa), db = plane.raised(xb);
-        const Vector4 x = xa + da / (da - db) * (xb - xa);
-        store(points_[before + i], x);
-        edge_number_[edge] = number++;
+        store(points[i], xa + da / (da - db) * (xb - xa));
     }
-    const int first_face_point = number;
-    faces_.drain([&](std::size_t face) { (base_number_[face] == marked ? base_number_ : quad_number_)[face] = number++; });
-    points_.resize(points_.size() + static_cast<std::size_t>(number - first_face_point));
 }
 
 /// Asks the memory for what the parents a little further on will need: at millions of tets each is a miss.
@@ -226,15 +219,9 @@ void SubdivisionEngine::fetch_ahead(std::size_t place) const {
     for (int i = 0; i < 4; ++i) {
         __builtin_prefetch(&canonical_.vertices[record.sorted[i]]);
         if (record.opposite[i] >= 0) __builtin_prefetch(&states_[record.opposite[i] / 4]);
-        __builtin_prefetch(&quad_number_[record.face[i]]);
     }
-}
-
-/// The smaller of the two original half faces at a face (in the original numbering of faces).
-int SubdivisionEngine::half_face_key(int tet, int face) const {
-    const int here = 4 * tet + canonical_.records[tet].position[face];
-    const int behind = canonical_.records[tet].opposite[face];
-    return std::min(here, 4 * (behind / 4) + canonical_.records[behind / 4].position[behind % 4]);
+    const int base = states_[tet].pieces->base_face;
+    if (base >= 0) __builtin_prefetch(&base_number_[record.face[base]], 1);
 }
 
 /// Links the pieces of a face to those behind it, where they are the same; else notes the face as loose.
@@ -258,9 +245,8 @@ inline void SubdivisionEngine::link_face(const State& here, int tet, int face) {
 void SubdivisionEngine::link_face_across_cuts(const State& here, int tet, int face) {
     const int behind = canonical_.records[tet].opposite[face];
     const State& there = states_[behind / 4];
-    const int key = half_face_key(tet, face);
     if (there.cut < 0 || face != here.pieces->base_face || behind % 4 != there.pieces->base_face) {
-        loose_.set(key);
+        loose_.push_back(4 * tet + face);
         return;
     }
     // The other side was written when this tet was whole.
@@ -270,7 +256,6 @@ void SubdivisionEngine::link_face_across_cuts(const State& here, int tet, int fa
         child_links_[here.first_child + half_face / 4][half_face % 4] = child_half_face(behind / 4, other);
         child_links_[there.first_child + other / 4][other % 4] = child_half_face(tet, half_face);
     }
-    loose_.reset(key);
 }
 
 /// Writes a face's point. Of two tets of this cut at the face the one with the smaller number does; the other writes the same
@@ -298,13 +283,13 @@ void SubdivisionEngine::write_parent(const SubdivisionPlane& plane, int tet, int
         const int e = pieces.cut_edges[k];
         const auto& [i, j] = edge_ends[e];
         corners[first_edge_code + e] = corners[i] + distances[i] / (distances[i] - distances[j]) * (corners[j] - corners[i]);
-        numbers[4 * (first_edge_code + e)] = edge_number_[record.edge[e]];
+        numbers[4 * (first_edge_code + e)] = first_edge_point_ + edges_.rank(record.edge[e]);
     }
     for (int k = 0; k < cuts; ++k) {
         const int f = pieces.cut_faces[k];
         const auto& quad = pieces.quads[f];
         const Vector4 x = ((corners[quad[0]] + corners[quad[1]]) + (corners[quad[2]] + corners[quad[3]])) / 4;
-        const int number = quad_number_[record.face[f]];
+        const int number = first_face_point_ + faces_.rank(record.face[f]);
         corners[first_face_code + f] = x;
         numbers[4 * (first_face_code + f)] = number;
         set_face_point(tet, f, number, x);
@@ -312,10 +297,11 @@ void SubdivisionEngine::write_parent(const SubdivisionPlane& plane, int tet, int
     if constexpr (cuts == 3) {
         const int f = pieces.base_face;
         const Vector4 x = ((corners[f == 0 ? 1 : 0] + corners[f <= 1 ? 2 : 1]) + corners[f <= 2 ? 3 : 2]) / 3;
-        const int number = base_number_[record.face[f]];
+        int& number = base_number_[record.face[f]];
+        if (number < 0) number = first_face_point_ + faces_.rank(record.face[f]);
         corners[first_face_code + f] = x;
         numbers[4 * (first_face_code + f)] = number;
-        if (number >= first_point_) set_face_point(tet, f, number, x);
+        if (number >= first_face_point_) set_face_point(tet, f, number, x);
     } else {
         const auto ring = [&](int k) { return corners[first_edge_code + pieces.cut_edges[k]]; };
         corners[centre_code] = (((ring(0) + ring(1)) + ring(2)) + ring(3)) / 4;
@@ -354,20 +340,21 @@ void SubdivisionEngine::write_children(const PieceTable& pieces, int tet, const 
 
 Counts SubdivisionEngine::cut(const Cut& cut) {
     const Cut valid = checked(cut);
-    const SubdivisionPlane plane{{valid.normal[0], valid.normal[1], valid.normal[2]}, {valid.centre[0], valid.centre[1], valid.centre[2]}, options_.tau};
+    const SubdivisionPlane plane{{valid.normal[0], valid.normal[1], valid.normal[2]},
+                                 {valid.centre[0], valid.centre[1], valid.centre[2]}, options_.tau};
     const Counts before = counts_;
     first_parent_ = parents_.size();
-    first_point_ = static_cast<int>(canonical_.vertices.size() + points_.size());
     find_parents(valid, plane);
     mark_points();
-    number_points(plane);
-    int centre = static_cast<int>(canonical_.vertices.size() + points_.size());
-    points_.resize(points_.size() + static_cast<std::size_t>(counts_.two_two - before.two_two));
+    number_points(plane, counts_.two_two - before.two_two);
+    int centre = first_centre_;
     for (std::size_t place = first_parent_; place < parents_.size(); ++place) {
         fetch_ahead(place);
         const int tet = parents_[place];
         states_[tet].pieces->base_face >= 0 ? write_parent<3>(plane, tet, -1) : write_parent<4>(plane, tet, centre++);
     }
+    edges_.clear();
+    faces_.clear();
     ++cuts_;
     return {counts_.uncut, counts_.three_one - before.three_one, counts_.two_two - before.two_two};
 }

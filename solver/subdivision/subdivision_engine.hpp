@@ -79,7 +79,7 @@ private:
     bool passes_disc(const Cut& cut, const SubdivisionPlane& plane, int tet) const;
     void mark_points();
     void fetch_ahead(std::size_t place) const;
-    void number_points(const SubdivisionPlane& plane);
+    void number_points(const SubdivisionPlane& plane, int centres);
     template <int cuts>
     void mark_parent(const PieceTable& pieces, int tet);
     template <int cuts>
@@ -89,11 +89,11 @@ private:
     void link_face(const State& here, int tet, int face);
     void link_face_across_cuts(const State& here, int tet, int face);
     void set_face_point(int tet, int face, int number, const Vector4& x);
-    int half_face_key(int tet, int face) const;
     int child_half_face(int tet, int relative) const { return 4 * (canonical_.tets() + states_[tet].first_child) + relative; }
     Triangle triangle(const std::array<int, 4>& tet, int face) const;
     FaceSide face_side(int tet, int sorted_face) const;
-    void link_whole(int whole_half_face, int tet, int sorted_face, std::vector<ExtraLink>& links) const;
+    void link_base(int whole_half_face, int tet, std::vector<ExtraLink>& links) const;
+    void link_loose_face(int tet, int face, std::vector<ExtraLink>& links) const;
 
     const PieceTable* tables_;
     CanonicalMesh canonical_;
@@ -101,19 +101,17 @@ private:
     mesh::TetMesh original_;
     Options options_;
     LargeVector<State> states_;
-    LargeVector<int> edge_number_;   ///< per edge, of the current cut
     LargeVector<int> base_number_;   ///< per face: its barycentre as an uncut face, -1: none yet
-    LargeVector<int> quad_number_;   ///< per face, of the current cut
     std::vector<std::array<int, 4>> scanned_;  ///< small meshes: the tets' sorted vertices, close together
     std::vector<std::uint8_t> plus_;  ///< small meshes, per vertex: its side, of the current cut
     Buffer<int> cut_edges_;          ///< of the current cut
-    SparseBits edges_, faces_;       ///< with new points in the current cut
+    RankedBits edges_, faces_;       ///< with new points in the current cut: a point's number follows from its rank
     SparseBits found_;               ///< parents of the current cut, before they are listed
-    SparseBits loose_;               ///< original half faces (the smaller of the two) whose sides do not conform
     Buffer<int> parents_;            ///< of all cuts
+    Buffer<int> loose_;              ///< faces (4 * tet + face) of parents that did not conform when the parent was cut
     std::size_t first_parent_ = 0;   ///< of the current cut
-    int first_point_ = 0;            ///< of the current cut
-    int cuts_ = 0;
+    int first_edge_point_ = 0, first_face_point_ = 0, first_centre_ = 0;  ///< numbers of the current cut
+    int cuts_ = 0;                   ///< so far; the current cut's number
     Counts counts_;
     Buffer<std::array<int, 4>> child_tets_, child_links_;
     Buffer<std::array<double, 3>> child_centroids_, points_;

@@ -93,8 +93,11 @@ EquilibriumProblem pushed(const mesh::TetMesh& mesh) {
 }
 
 TEST(FreeBody, load_and_acceleration_balance) {
-    const mesh::TetMesh mesh = tagged_cube(5);
-    const EquilibriumProblem problem = pushed(mesh);
+    mesh::TetMesh mesh = tagged_cube(5);
+    for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet) mesh.regions[tet] = mesh::tet_centroid(mesh, static_cast<int>(tet)).y() > 0.4;
+    EquilibriumProblem problem = pushed(mesh);
+    problem.stiffness[1] = triclinic(8);
+    problem.density[1] = 7800;
     const EquilibriumSolution solution = solve_equilibrium(problem, {.tolerance = 1e-11});
     EXPECT_LT(solution.report.residual, 1e-9);
     Eigen::Vector3d load = Eigen::Vector3d::Zero(), torque = load, inertia = load, turn = load;
@@ -106,7 +109,7 @@ TEST(FreeBody, load_and_acceleration_balance) {
     }
     const particles::Particles& particles = solution.body->particles;
     for (int i = 0; i < particles.size(); ++i) {
-        const Eigen::Vector3d f = 2500 * particles.volume[i] * solution.acceleration[i];
+        const Eigen::Vector3d f = problem.density.at(particles.region[i]) * particles.volume[i] * solution.acceleration[i];
         inertia += f, turn += particles.position[i].cross(f);
     }
     EXPECT_LT((load - inertia).norm(), 1e-9 * scale);

@@ -1,5 +1,6 @@
 #include "validation/geometry/block.hpp"
 
+#include "validation/geometry/box_sides.hpp"
 #include "validation/geometry/mesh_cache.hpp"
 
 #include <fmt/format.h>
@@ -13,8 +14,6 @@ namespace cleave::geometry {
 
 namespace {
 
-const std::vector<std::string> side_names{"left", "right", "front", "back", "bottom", "top"};
-
 class Block final : public Shape {
 public:
     explicit Block(const std::array<double, 3>& extent) : extent_(extent) {}
@@ -23,7 +22,7 @@ public:
         const std::string recipe = fmt::format("block 1 {} {} {} size {}", extent_[0], extent_[1], extent_[2], size);
         Body body;
         body.mesh_file = cached_mesh(folder, "block", recipe, [&] { build(size); });
-        for (std::size_t i = 0; i < side_names.size(); ++i) body.surfaces[side_names[i]] = static_cast<int>(i) + 1;
+        for (std::size_t i = 0; i < box_side_names().size(); ++i) body.surfaces[box_side_names()[i]] = static_cast<int>(i) + 1;
         body.regions["body"] = 1;
         return body;
     }
@@ -43,7 +42,7 @@ public:
         throw std::invalid_argument(fmt::format("one of extent (not '{}')", key));
     }
     bool uniform_refinement() const override { return true; }
-    std::vector<std::string> surface_names() const override { return side_names; }
+    std::vector<std::string> surface_names() const override { return box_side_names(); }
 
 private:
     void build(double size) const {
@@ -52,19 +51,9 @@ private:
         gmsh::model::addPhysicalGroup(3, {1}, 1);
         gmsh::vectorpair faces;
         gmsh::model::getEntities(faces, 2);
-        for (const auto& [dim, tag] : faces) gmsh::model::addPhysicalGroup(2, {tag}, side_of(tag));
+        for (const auto& [dim, tag] : faces) gmsh::model::addPhysicalGroup(2, {tag}, box_side_of(tag, {0, 0, 0}, extent_));
         gmsh::option::setNumber("Mesh.MeshSizeMin", size);
         gmsh::option::setNumber("Mesh.MeshSizeMax", size);
-    }
-
-    int side_of(int tag) const {
-        std::array<double, 3> c{};
-        gmsh::model::occ::getCenterOfMass(2, tag, c[0], c[1], c[2]);
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (std::abs(c[k]) < 1e-6 * extent_[k]) return static_cast<int>(2 * k) + 1;
-            if (std::abs(c[k] - extent_[k]) < 1e-6 * extent_[k]) return static_cast<int>(2 * k) + 2;
-        }
-        throw std::logic_error("a face of the block that lies on no side");
     }
 
     std::array<double, 3> extent_;
@@ -72,7 +61,7 @@ private:
 
 }  // namespace
 
-ShapeInfo block_info() { return {"block", "a box from the origin to extent", {"extent"}, side_names, {"x", "y", "z", "depth"}}; }
+ShapeInfo block_info() { return {"block", "a box from the origin to extent", {"extent"}, box_side_names(), {"x", "y", "z", "depth"}}; }
 
 std::shared_ptr<const Shape> read_block(TableReader& geometry) {
     const std::array<double, 3> extent = geometry.vector("extent", dimension::length);

@@ -1,5 +1,6 @@
 #include "validation/geometry/laminate_block.hpp"
 
+#include "validation/geometry/box_sides.hpp"
 #include "validation/geometry/mesh_cache.hpp"
 
 #include <fmt/format.h>
@@ -14,8 +15,6 @@ namespace cleave::geometry {
 
 namespace {
 
-const std::vector<std::string> side_names{"left", "right", "front", "back", "bottom", "top"};
-
 class LaminateBlock final : public Shape {
 public:
     LaminateBlock(const std::array<double, 3>& extent, double interface) : extent_(extent), interface_(interface) {}
@@ -24,7 +23,7 @@ public:
         const std::string recipe = fmt::format("laminate 1 {} {} {} at {} size {}", extent_[0], extent_[1], extent_[2], interface_, size);
         Body body;
         body.mesh_file = cached_mesh(folder, "laminate_block", recipe, [&] { build(size); });
-        for (std::size_t i = 0; i < side_names.size(); ++i) body.surfaces[side_names[i]] = static_cast<int>(i) + 1;
+        for (std::size_t i = 0; i < box_side_names().size(); ++i) body.surfaces[box_side_names()[i]] = static_cast<int>(i) + 1;
         body.regions = {{"lower", 1}, {"upper", 2}};
         return body;
     }
@@ -40,7 +39,7 @@ public:
         throw std::invalid_argument(fmt::format("one of extent, interface (not '{}')", key));
     }
     bool uniform_refinement() const override { return true; }
-    std::vector<std::string> surface_names() const override { return side_names; }
+    std::vector<std::string> surface_names() const override { return box_side_names(); }
 
 private:
     void build(double size) const {
@@ -56,21 +55,10 @@ private:
         gmsh::model::getEntities(faces, 2);
         std::map<int, std::vector<int>> sides;
         for (const auto& [dim, tag] : faces)
-            if (const int side = side_of(tag)) sides[side].push_back(tag);
+            if (const int side = box_side_of(tag, {0, 0, 0}, extent_)) sides[side].push_back(tag);
         for (const auto& [side, tags] : sides) gmsh::model::addPhysicalGroup(2, tags, side);
         gmsh::option::setNumber("Mesh.MeshSizeMin", size);
         gmsh::option::setNumber("Mesh.MeshSizeMax", size);
-    }
-
-    /// 1 to 6, or 0 for the interface.
-    int side_of(int tag) const {
-        std::array<double, 3> c{};
-        gmsh::model::occ::getCenterOfMass(2, tag, c[0], c[1], c[2]);
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (std::abs(c[k]) < 1e-6 * extent_[k]) return static_cast<int>(2 * k) + 1;
-            if (std::abs(c[k] - extent_[k]) < 1e-6 * extent_[k]) return static_cast<int>(2 * k) + 2;
-        }
-        return 0;
     }
 
     std::array<double, 3> extent_;
@@ -80,7 +68,7 @@ private:
 }  // namespace
 
 ShapeInfo laminate_block_info() {
-    return {"laminate_block", "a box of two layers, regions lower and upper", {"extent", "interface"}, side_names, {"x", "y", "z", "interface"}};
+    return {"laminate_block", "a box of two layers, regions lower and upper", {"extent", "interface"}, box_side_names(), {"x", "y", "z", "interface"}};
 }
 
 std::shared_ptr<const Shape> read_laminate_block(TableReader& geometry) {

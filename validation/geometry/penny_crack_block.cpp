@@ -1,5 +1,6 @@
 #include "validation/geometry/penny_crack_block.hpp"
 
+#include "validation/geometry/box_sides.hpp"
 #include "validation/geometry/mesh_cache.hpp"
 
 #include <fmt/format.h>
@@ -89,19 +90,11 @@ private:
     void tag(int volume, int crack) const {
         gmsh::model::addPhysicalGroup(3, {volume}, 1);
         gmsh::model::addPhysicalGroup(2, {crack}, crack_tag);
+        const double w = penny_.half_width;
         gmsh::vectorpair faces;
         gmsh::model::getEntities(faces, 2);
         for (const auto& [dim, face] : faces)
-            if (face != crack) gmsh::model::addPhysicalGroup(2, {face}, side_of(face));
-    }
-
-    int side_of(int tag) const {
-        std::array<double, 3> c{};
-        gmsh::model::occ::getCenterOfMass(2, tag, c[0], c[1], c[2]);
-        for (std::size_t k = 0; k < 3; ++k)
-            if (std::abs(std::abs(c[k]) - penny_.half_width) < 1e-6 * penny_.half_width)
-                return static_cast<int>(2 * k) + (c[k] < 0 ? 1 : 2);
-        throw std::logic_error("a face of the cube that lies on no side");
+            if (face != crack) gmsh::model::addPhysicalGroup(2, {face}, box_side_of(face, {-w, -w, -w}, {w, w, w}));
     }
 
     void set_sizes(double size) const {

@@ -2,10 +2,21 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <thread>
 
 namespace cleave::benchmarks {
+
+namespace {
+
+/// The name as registered: without Google Benchmark's notes on how it was timed.
+std::string plain_name(const std::string& name) {
+    const std::size_t notes = std::min(name.find("/iterations:"), name.find("/manual_time"));
+    return name.substr(0, notes);
+}
+
+}  // namespace
 
 JsonReporter::JsonReporter() : ConsoleReporter(OO_Tabular) { json_.SetOutputStream(&text_); }
 
@@ -28,6 +39,9 @@ std::string JsonReporter::json() const {
     nlohmann::ordered_json document = nlohmann::ordered_json::parse(text_.str());
     document["context"].erase("host_name");
     document["context"].erase("executable");
+    for (auto& row : document["benchmarks"]) {
+        for (const char* key : {"name", "run_name"}) row[key] = plain_name(row[key].get<std::string>());
+    }
     return document.dump(1) + "\n";
 }
 

@@ -16,7 +16,7 @@ public:
     void ReportRuns(const std::vector<Run>& runs) override;
     void Finalize() override;
 
-    /// The JSON without what belongs to the machine's owner: host name and path of the program.
+    /// The JSON without what belongs to the machine's owner (host name, path of the program), rows named as registered.
     std::string json() const;
 
 private:

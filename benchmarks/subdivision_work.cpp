@@ -1,13 +1,28 @@
 #include "benchmarks/subdivision_work.hpp"
 
+#include "solver/mesh/morton.hpp"
 #include "solver/mesh/recipes/pot.hpp"
+#include "solver/mesh/test/test_meshes.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 namespace cleave::benchmarks {
 
 SubdivisionCase pot_case() {
     return {"pot", mesh::pot(6163).mesh, {.centre = {0, 0, 0.12}, .normal = {1, 0, 0}}};
+}
+
+SubdivisionCase cube_case(int cells) {
+    return {fmt::format("cube_{}", 6 * cells * cells * cells), mesh::in_morton_order(mesh::test::kuhn_cube(cells, 0.15)),
+            {.centre = {0.5, 0.5, 0.5}, .normal = {1, 0.4, 0.3}}};
+}
+
+SubdivisionCase fixed_disc_case(int cells) {
+    SubdivisionCase body = cube_case(cells);
+    for (Eigen::Vector3d& vertex : body.mesh.vertices) vertex *= cells;
+    body.cut.centre = Eigen::Vector3d::Constant(cells / 2 + 0.3);  // at the same place of a cell in every cube
+    body.cut.radius = 2.2;
+    return body;
 }
 
 PureStores::PureStores(int children, int points)
@@ -29,11 +44,6 @@ void PureStores::run() {
 std::size_t PureStores::bytes() const {
     return tets_.size() * (sizeof tets_[0] + sizeof links_[0] + sizeof centroids_[0] + sizeof volumes_[0] + sizeof parents_[0]) +
            points_.size() * sizeof points_[0];
-}
-
-PureStores stores_like(const subdivision::Subdivided& result, const mesh::TetMesh& original) {
-    return {static_cast<int>(result.mesh.tets.size()) - result.counts.uncut,
-            static_cast<int>(result.mesh.vertices.size() - original.vertices.size())};
 }
 
 }  // namespace cleave::benchmarks

@@ -2,7 +2,6 @@
 
 #include "solver/mesh/tet_mesh.hpp"
 #include "solver/subdivision/cut.hpp"
-#include "solver/subdivision/subdivided.hpp"
 
 #include <array>
 #include <string>
@@ -21,6 +20,13 @@ struct SubdivisionCase {
 /// not chosen for a count: any count of particles is 13 n31 + 19 n22 above the first for some cut and proves nothing.
 SubdivisionCase pot_case();
 
+/// A cube of 6 cells^3 tets (Kuhn's triangulation, inner vertices shaken, numbered along a Morton curve) and a plane askew through
+/// its middle.
+SubdivisionCase cube_case(int cells);
+
+/// The cube, of cells of unit size, and a disc of radius 2.2 cells at its middle: the same crack in bodies of any size.
+SubdivisionCase fixed_disc_case(int cells);
+
 /// What a subdivision of this size writes, and nothing else: connectivity (16 bytes a child), links (16), centroid (24), volume
 /// (8), parent (4), child by child as a subdivision does, and 24 bytes a new point. The floor under every subdivision on this machine.
 class PureStores {
@@ -37,8 +43,5 @@ private:
     std::vector<int> parents_;
     int turn_ = 0;
 };
-
-/// PureStores of the size of a result: its children (not the parents left whole) and the points made.
-PureStores stores_like(const subdivision::Subdivided& result, const mesh::TetMesh& original);
 
 }  // namespace cleave::benchmarks

@@ -19,9 +19,11 @@ double seconds_of(const std::function<void()>& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-PairedTimes paired_times(const std::function<void()>& first, const std::function<void()>& second, int passes) {
+PairedTimes paired_times(const std::function<void()>& first, const std::function<void()>& second, int passes,
+                         const std::function<void()>& prepare) {
     std::vector<double> firsts, seconds, ratios;
     for (int pass = 0; pass <= passes; ++pass) {
+        prepare();
         const double a = seconds_of(first), b = seconds_of(second);
         if (pass == 0) continue;
         firsts.push_back(a);

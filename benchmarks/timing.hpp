@@ -17,6 +17,8 @@ struct PairedTimes {
     double second = 0;  ///< median seconds
     double ratio = 0;   ///< median of the paired ratios first / second: robust against drift of the machine
 };
-PairedTimes paired_times(const std::function<void()>& first, const std::function<void()>& second, int passes);
+/// `prepare` runs before each call of `first`, outside the time.
+PairedTimes paired_times(const std::function<void()>& first, const std::function<void()>& second, int passes,
+                         const std::function<void()>& prepare = [] {});
 
 }  // namespace cleave::benchmarks

@@ -49,7 +49,8 @@ TEST_F(Program, EveryBenchmarkRunsOnceAndCountsItsWork) {
                   row["uncut"].get<double>() + 14 * row["n31"].get<double>() + 20 * row["n22"].get<double>());
         EXPECT_EQ(row["particles_before"].get<double>(), row["uncut"].get<double>() + row["n31"].get<double>() + row["n22"].get<double>());
     }
-    for (const std::string name : {"table2/pot", "subdivision/plain/pot", "subdivision/stores/pot"}) {
+    for (const std::string name : {"table2/pot", "subdivision/plain/pot", "subdivision/stores/pot", "subdivision/engine/cube_6k",
+                                   "subdivision/disc/cube_83k", "subdivision/setup/pot"}) {
         const bool found = std::any_of(names.begin(), names.end(), [&](const std::string& full) { return full.starts_with(name); });
         EXPECT_TRUE(found) << name;
     }

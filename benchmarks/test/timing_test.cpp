@@ -15,8 +15,8 @@ TEST(Timing, Median) {
 
 TEST(Timing, PairsTakeTurnsAndTheFirstPassIsDropped) {
     std::string turns;
-    const PairedTimes times = paired_times([&] { turns += 'a'; }, [&] { turns += 'b'; }, 3);
-    EXPECT_EQ(turns, "abababab");
+    const PairedTimes times = paired_times([&] { turns += 'a'; }, [&] { turns += 'b'; }, 3, [&] { turns += '-'; });
+    EXPECT_EQ(turns, "-ab-ab-ab-ab");
     EXPECT_GE(times.first, 0);
     EXPECT_GE(times.ratio, 0);
 }

@@ -161,8 +161,8 @@ void set_up(benchmark::State& state, LazyCase& source) {
     const SubdivisionCase& body = source.get();
     for (auto _ : state) benchmark::DoNotOptimize(subdivision::SubdivisionEngine(body.mesh).counts());
     state.counters["particles_before"] = static_cast<double>(body.mesh.tets.size());
-    state.counters["nanoseconds_per_tet"] =
-        benchmark::Counter(1e-9 * static_cast<double>(body.mesh.tets.size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["nanoseconds_per_tet"] = benchmark::Counter(
+        1e-9 * static_cast<double>(body.mesh.tets.size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 using Row = void (*)(benchmark::State&, LazyCase&);
@@ -191,7 +191,8 @@ void register_subdivision(Level level) {
     const auto small_disc = std::make_shared<LazyCase>([] { return fixed_disc_case(10); });
     const auto add_disc = [&](const std::string& name, SubdivisionCase (*make)()) {
         const auto large = std::make_shared<LazyCase>(make);
-        benchmark::RegisterBenchmark(("subdivision/disc/" + name).c_str(), [=](benchmark::State& state) { fixed_disc(state, *large, *small_disc); })
+        const auto row = [=](benchmark::State& state) { fixed_disc(state, *large, *small_disc); };
+        benchmark::RegisterBenchmark(("subdivision/disc/" + name).c_str(), row)
             ->UseManualTime()->Iterations(1)->Unit(benchmark::kMicrosecond);
     };
     register_body("cube_6k", std::make_shared<LazyCase>([] { return cube_case(10); }));

@@ -26,7 +26,8 @@ std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points) {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& point : points) box.extend(point);
     // A flat box still has a width to divide by.
-    const Eigen::Vector3d width = points.empty() ? Eigen::Vector3d::Ones() : box.sizes().cwiseMax(std::numeric_limits<double>::min()).eval();
+    Eigen::Vector3d width = Eigen::Vector3d::Ones();
+    if (!points.empty()) width = box.sizes().cwiseMax(std::numeric_limits<double>::min());
     std::vector<std::pair<std::uint64_t, int>> keys(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Eigen::Vector3d share = (points[i] - box.min()).cwiseQuotient(width) * double{0x1fffff};

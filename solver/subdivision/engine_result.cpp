@@ -51,7 +51,8 @@ void SubdivisionEngine::link_base(int whole_half_face, int tet, std::vector<Extr
     points[first_face_code + f] = (points[f == 0 ? 1 : 0] + points[f <= 1 ? 2 : 1] + points[f <= 2 ? 3 : 2]) / 3;
     for (int k = 0; k < 3; ++k) {
         const auto& [a, b, c] = pieces.base_triangles[k];
-        links.push_back({whole_half_face, child_half_face(tet, pieces.pieces[f].ascending[k]), triangle_area({points[a], points[b], points[c]})});
+        const double area = triangle_area({points[a], points[b], points[c]});
+        links.push_back({whole_half_face, child_half_face(tet, pieces.pieces[f].ascending[k]), area});
     }
 }
 
@@ -86,61 +87,75 @@ void SubdivisionEngine::find_extra_links(std::vector<ExtraLink>& links) const {
     }
 }
 
+/// Numbers of the engine (children after all original tets) to numbers of a result (children after the whole tets).
+class SubdivisionEngine::Renumbering {
+public:
+    explicit Renumbering(const SubdivisionEngine& engine) : originals_(engine.canonical_.tets()), compact_(originals_, -1) {
+        for (int tet = 0; tet < originals_; ++tet) {
+            if (!engine.is_cut(tet)) compact_[tet] = whole_++;
+        }
+    }
+    int half_face(int engine_half_face) const {
+        if (engine_half_face < 0) return -1;
+        const int tet = engine_half_face / 4;
+        return 4 * (tet < originals_ ? compact_[tet] : tet - originals_ + whole_) + engine_half_face % 4;
+    }
+
+private:
+    int originals_, whole_ = 0;
+    std::vector<int> compact_;
+};
+
+void SubdivisionEngine::append_whole(int tet, const Renumbering& renumbering, Subdivided& out) const {
+    out.mesh.tets.push_back(original_.tets[tet]);
+    out.parent.push_back(tet);
+    out.cut.push_back(-1);
+    out.side.push_back(0);
+    out.volume.push_back(mesh::tet_volume(original_, tet));
+    out.centroid.push_back(mesh::tet_centroid(original_, tet));
+    std::array<int, 4> links{-1, -1, -1, -1};
+    const CanonicalMesh::Record& record = canonical_.records[tet];
+    for (int f = 0; f < 4; ++f) {
+        const int behind = record.opposite[f];
+        if (behind < 0 || is_cut(behind / 4)) continue;
+        links[record.position[f]] = renumbering.half_face(4 * (behind / 4) + canonical_.records[behind / 4].position[behind % 4]);
+    }
+    out.links.opposite.insert(out.links.opposite.end(), links.begin(), links.end());
+    for (std::int8_t face = 0; face < 4; ++face) out.parent_face.push_back(face);
+}
+
+void SubdivisionEngine::append_child(std::size_t child, const Renumbering& renumbering, Subdivided& out) const {
+    const int tet = child_parents_[child];
+    const PieceTable& pieces = *states_[tet].pieces;
+    const std::size_t k = child - static_cast<std::size_t>(states_[tet].first_child);
+    out.mesh.tets.push_back(child_tets_[child]);
+    out.parent.push_back(tet);
+    out.cut.push_back(states_[tet].cut);
+    out.side.push_back(pieces.side[k]);
+    out.volume.push_back(child_volumes_[child]);
+    const auto& centroid = child_centroids_[child];
+    out.centroid.emplace_back(centroid[0], centroid[1], centroid[2]);
+    for (int face = 0; face < 4; ++face) {
+        out.links.opposite.push_back(renumbering.half_face(child_links_[child][face]));
+        const int on = pieces.face[k][face];
+        out.parent_face.push_back(on < 0 ? std::int8_t{-1} : static_cast<std::int8_t>(canonical_.records[tet].position[on]));
+    }
+}
+
 Subdivided SubdivisionEngine::result() const {
     Subdivided out;
-    const int originals = canonical_.tets();
-    std::vector<int> compact(originals, -1);
-    for (int tet = 0; tet < originals; ++tet) {
-        if (is_cut(tet)) continue;
-        compact[tet] = static_cast<int>(out.parent.size());
-        out.parent.push_back(tet);
+    const Renumbering renumbering(*this);
+    for (int tet = 0; tet < canonical_.tets(); ++tet) {
+        if (!is_cut(tet)) append_whole(tet, renumbering, out);
     }
-    const int whole = static_cast<int>(out.parent.size());
-    const auto renumbered = [&](int half_face) {
-        if (half_face < 0) return -1;
-        const int tet = half_face / 4;
-        return 4 * (tet < originals ? compact[tet] : tet - originals + whole) + half_face % 4;
-    };
-    for (int i = 0; i < whole; ++i) {
-        const int tet = out.parent[i];
-        out.mesh.tets.push_back(original_.tets[tet]);
-        out.cut.push_back(-1);
-        out.side.push_back(0);
-        out.volume.push_back(mesh::tet_volume(original_, tet));
-        out.centroid.push_back(mesh::tet_centroid(original_, tet));
-        std::array<int, 4> links{-1, -1, -1, -1};
-        for (int f = 0; f < 4; ++f) {
-            const int behind = canonical_.records[tet].opposite[f];
-            if (behind < 0 || is_cut(behind / 4)) continue;
-            links[canonical_.records[tet].position[f]] = renumbered(4 * (behind / 4) + canonical_.records[behind / 4].position[behind % 4]);
-        }
-        out.links.opposite.insert(out.links.opposite.end(), links.begin(), links.end());
-        for (std::int8_t face = 0; face < 4; ++face) out.parent_face.push_back(face);
-    }
-    for (std::size_t child = 0; child < child_tets_.size(); ++child) {
-        const int tet = child_parents_[child];
-        const PieceTable& pieces = *states_[tet].pieces;
-        const std::size_t k = child - static_cast<std::size_t>(states_[tet].first_child);
-        out.mesh.tets.push_back(child_tets_[child]);
-        out.parent.push_back(tet);
-        out.cut.push_back(states_[tet].cut);
-        out.side.push_back(pieces.side[k]);
-        out.volume.push_back(child_volumes_[child]);
-        const auto& centroid = child_centroids_[child];
-        out.centroid.emplace_back(centroid[0], centroid[1], centroid[2]);
-        for (int face = 0; face < 4; ++face) {
-            out.links.opposite.push_back(renumbered(child_links_[child][face]));
-            const int on = pieces.face[k][face];
-            out.parent_face.push_back(on < 0 ? std::int8_t{-1} : static_cast<std::int8_t>(canonical_.records[tet].position[on]));
-        }
-    }
+    for (std::size_t child = 0; child < child_tets_.size(); ++child) append_child(child, renumbering, out);
     for (const int parent : out.parent) out.mesh.regions.push_back(original_.regions[parent]);
     out.mesh.vertices = original_.vertices;
     for (const auto& x : points_) out.mesh.vertices.emplace_back(x[0], x[1], x[2]);
     out.mesh.region_names = original_.region_names;
     out.mesh.surface_names = original_.surface_names;
     find_extra_links(out.extra_links);
-    for (ExtraLink& link : out.extra_links) link = {renumbered(link.first), renumbered(link.second), link.area};
+    for (ExtraLink& link : out.extra_links) link = {renumbering.half_face(link.first), renumbering.half_face(link.second), link.area};
     out.counts = counts_;
     out.mesh.surface = cut_surface(original_, out);
     return out;

@@ -44,7 +44,8 @@ struct FourVertices {
     }
     /// SubdivisionPlane::distance of each.
     Vector4 distances(const SubdivisionPlane& plane) const {
-        return (plane.normal[0] * (x - plane.centre[0]) + plane.normal[1] * (y - plane.centre[1])) + plane.normal[2] * (z - plane.centre[2]);
+        return (plane.normal[0] * (x - plane.centre[0]) + plane.normal[1] * (y - plane.centre[1])) +
+               plane.normal[2] * (z - plane.centre[2]);
     }
     /// SubdivisionPlane::raised of each.
     Vector4 raised(const SubdivisionPlane& plane) const {

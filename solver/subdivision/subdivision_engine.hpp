@@ -90,6 +90,9 @@ private:
     void link_face_across_cuts(const State& here, int tet, int face);
     void set_face_point(int tet, int face, int number, const Vector4& x);
     int child_half_face(int tet, int relative) const { return 4 * (canonical_.tets() + states_[tet].first_child) + relative; }
+    class Renumbering;
+    void append_whole(int tet, const Renumbering& renumbering, Subdivided& out) const;
+    void append_child(std::size_t child, const Renumbering& renumbering, Subdivided& out) const;
     Triangle triangle(const std::array<int, 4>& tet, int face) const;
     FaceSide face_side(int tet, int sorted_face) const;
     void link_base(int whole_half_face, int tet, std::vector<ExtraLink>& links) const;

@@ -36,6 +36,21 @@ TEST(SparseBits, AgreeWithASet) {
     }
 }
 
+TEST(RankedBits, RanksArePlacesInOrder) {
+    test::Random random(42);
+    RankedBits bits(100000);
+    for (const int members : {1, 70, 5000}) {
+        std::set<std::size_t> expected;
+        for (int i = 0; i < members; ++i) expected.insert(static_cast<std::size_t>(random.uniform(0, 100000)));
+        for (const std::size_t number : expected) bits.set(number);
+        EXPECT_EQ(bits.rank_all(), static_cast<int>(expected.size()));
+        int place = 0;
+        for (const std::size_t number : expected) EXPECT_EQ(bits.rank(number), place++);
+        bits.clear();  // and of use again
+    }
+    EXPECT_EQ(bits.rank_all(), 0);
+}
+
 TEST(SparseBits, MayBeEmpty) {
     SparseBits bits(0);
     EXPECT_TRUE(listed(bits).empty());

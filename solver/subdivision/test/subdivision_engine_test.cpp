@@ -31,7 +31,9 @@ TetMesh shuffled(const TetMesh& mesh, test::Random& random) {
     const auto permutation = [&](std::size_t size) {
         std::vector<int> order(size);
         std::iota(order.begin(), order.end(), 0);
-        for (std::size_t i = size; i > 1; --i) std::swap(order[i - 1], order[static_cast<std::size_t>(random.uniform(0, static_cast<double>(i)))]);
+        for (std::size_t i = size; i > 1; --i) {
+            std::swap(order[i - 1], order[static_cast<std::size_t>(random.uniform(0, static_cast<double>(i)))]);
+        }
         return order;
     };
     TetMesh out = mesh;
@@ -41,8 +43,8 @@ TetMesh shuffled(const TetMesh& mesh, test::Random& random) {
         auto tet = mesh.tets[tets[t]];
         for (int& v : tet) v = vertices[v];
         std::rotate(tet.begin(), tet.begin() + 1 + static_cast<int>(t % 2), tet.end() - 1 + static_cast<int>(t % 2));
-        if (mesh::signed_volume(out.vertices[tet[0]], out.vertices[tet[1]], out.vertices[tet[2]], out.vertices[tet[3]]) < 0) std::swap(tet[0], tet[3]);
         out.tets[t] = tet;
+        if (mesh::tet_volume(out, static_cast<int>(t)) < 0) std::swap(out.tets[t][0], out.tets[t][3]);
         out.regions[t] = mesh.regions[tets[t]];
     }
     return out;
@@ -73,6 +75,17 @@ TEST(SubdivisionEngine, EqualsThePlainFormOnPlanesThroughVertices) {
         const std::vector<Cut> cuts{{.centre = {0.5, 0.5, 0.5}, .normal = normal}, {.centre = {0.25, 0.5, 0.75}, .normal = {-1, 1, 1}}};
         EXPECT_EQ(first_difference(by_engine(mesh, cuts), subdivide(mesh, cuts)), "");
     }
+}
+
+TEST(SubdivisionEngine, EqualsThePlainFormInALargeBody) {
+    // Above 20,000 tets the engine searches boxes along a Morton curve instead of scanning.
+    test::Random random(35);
+    const TetMesh mesh = shuffled(kuhn_cube(15, 0.1), random);
+    ASSERT_GE(mesh.tets.size(), 20000u);
+    std::vector<Cut> cuts;
+    for (int i = 0; i < 4; ++i) cuts.push_back(i % 2 == 0 ? random.plane(0.1, 0.9) : random.disc(0.1, 0.9));
+    cuts.push_back({.centre = {1.0 / 3, 0.5, 0.5}, .normal = {1, 0, 0}});  // through a layer of vertices
+    EXPECT_EQ(first_difference(by_engine(mesh, cuts), subdivide(mesh, cuts)), "");
 }
 
 TEST(SubdivisionEngine, PassesOnSurfaceTagsAndRegions) {

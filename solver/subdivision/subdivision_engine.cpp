@@ -71,8 +71,8 @@ constexpr int scan_below = 20'000;  ///< tets: smaller meshes are scanned faster
 }  // namespace
 
 SubdivisionEngine::SubdivisionEngine(const mesh::TetMesh& mesh, const Options& options)
-    : tables_(piece_tables().data()), canonical_(mesh), original_(mesh), options_(options), states_(mesh.tets.size()), base_number_(canonical_.faces, -1),
-      edges_(canonical_.edges()),
+    : tables_(piece_tables().data()), canonical_(mesh), original_(mesh), options_(options), states_(mesh.tets.size()),
+      base_number_(canonical_.faces, -1), edges_(canonical_.edges()),
       faces_(canonical_.faces) {
     require_valid_tau(options.tau);
     if (canonical_.tets() >= scan_below) {

@@ -76,13 +76,13 @@ mesh::TetMesh jiggled(mesh::TetMesh mesh, double distance) {
 
 class EquilibriumSource final : public FieldSource {
 public:
-    EquilibriumSource(const Case& of, const geometry::Body& body, double size)
+    EquilibriumSource(const Case& of, const geometry::Body& body, double size, bool recovered)
         : of_(of), body_(body), size_(size), mesh_(mesh::read_msh(body.mesh_file)) {
         mesh::check(mesh_, body.mesh_file.string());
         if (of.particles.link_penalty) options_.link_penalty = *of.particles.link_penalty;
         if (of.particles.residual_tolerance) options_.tolerance = *of.particles.residual_tolerance;
         solution_ = solve(mesh_);
-        samples_ = particle_samples(solution_.body->particles, solution_.displacement, solution_.fields);
+        samples_ = particle_samples(solution_.body->particles, solution_.displacement, recovered ? solution_.recovered : solution_.fields);
     }
 
     const Samples& everywhere() const override { return samples_; }
@@ -178,9 +178,10 @@ private:
 
 }  // namespace
 
-std::unique_ptr<FieldSource> run_equilibrium(const Case& of, const geometry::Body& body, double size, SolveNote& note) {
+std::unique_ptr<FieldSource> run_equilibrium(const Case& of, const geometry::Body& body, double size, const std::string& solver,
+                                             SolveNote& note) {
     const auto start = std::chrono::steady_clock::now();
-    auto source = std::make_unique<EquilibriumSource>(of, body, size);
+    auto source = std::make_unique<EquilibriumSource>(of, body, size, solver == "sph.conforming_recovered");
     note.method = "conforming, preconditioned conjugate gradients";
     note.cells = source->resolution().particles;
     note.dofs = source->resolution().dofs;

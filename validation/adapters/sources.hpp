@@ -26,8 +26,10 @@ std::unique_ptr<FieldSource> run_fem(const Case& of, const geometry::Body& body,
 std::unique_ptr<FieldSource> run_particles(const Case& of, const geometry::Body& body, double size, const std::string& solver,
                                            const std::function<std::vector<Point>(const std::vector<Point>&)>& displacement, SolveNote& note);
 
-/// Equilibrium of the particles under the case's loads: sph.conforming. Throws InputError.
-std::unique_ptr<FieldSource> run_equilibrium(const Case& of, const geometry::Body& body, double size, SolveNote& note);
+/// Equilibrium of the particles under the case's loads: sph.conforming with the strain and stress it was solved with, or
+/// sph.conforming_recovered with these smoothed over the neighbours. Throws InputError.
+std::unique_ptr<FieldSource> run_equilibrium(const Case& of, const geometry::Body& body, double size, const std::string& solver,
+                                             SolveNote& note);
 
 /// Tags of the surfaces a load acts on; "all" stands for every surface of the body. Throws InputError.
 std::vector<int> surface_tags(const SurfaceLoad& load, const geometry::Body& body, const Case& of);

@@ -76,9 +76,19 @@ std::string dotted_key(const TomlDocument& document, const std::string& key) {
     return document.path.empty() ? key : document.path + "." + key;
 }
 
+/// Where a key is missing, a key that nobody asked for and that looks like it is its likely misspelling.
+std::string missing_hint(const TomlDocument& document, const std::string& key) {
+    for (auto&& [present, value] : *document.table) {
+        const std::string name(present.str());
+        if (!document.asked.contains(name) && !nearest(name, {key}).empty())
+            return fmt::format(" (the key is missing; '{}' in line {} looks like it)", name, present.source().begin.line);
+    }
+    return " (the key is missing)";
+}
+
 const toml::node& require(TomlDocument& document, const std::string& key, const std::string& expected) {
     const toml::node* node = find(document, key);
-    if (!node) fail_at(document, nullptr, dotted_key(document, key), expected + " (the key is missing)");
+    if (!node) fail_at(document, nullptr, dotted_key(document, key), expected + missing_hint(document, key));
     return *node;
 }
 

@@ -39,7 +39,7 @@ const std::vector<ShapeInfo>& shapes() {
 }
 
 std::shared_ptr<const Shape> read_shape(TableReader& geometry) {
-    if (geometry.has("mesh") == geometry.has("shape")) geometry.fail("", "either 'shape' or 'mesh'");
+    if (geometry.has("mesh") && geometry.has("shape")) geometry.fail("", "either 'shape' or 'mesh'");
     if (geometry.has("mesh")) return read_imported(geometry);
     std::vector<std::string> names;
     for (const Entry& entry : entries()) names.push_back(entry.info.name);

@@ -83,7 +83,7 @@ EOF
 
 expect "a right case" 0 "1 passed, 0 failed" "$validate" good.toml --out good
 expect "a wrong reference value" 1 "0 passed, 1 failed" "$validate" wrong.toml --out wrong
-expect "a misspelt key" 2 "misspelt.toml" "$validate" misspelt.toml --out bad
+expect "a misspelt key" 2 "shpae" "$validate" misspelt.toml --out bad
 expect "a wrong unit" 2 "unit.toml:6: geometry.extent" "$validate" unit.toml --out bad
 expect "an unknown shape" 2 "torus" "$validate" shape.toml --out bad
 expect "a stiffness that is not positive definite" 2 "indefinite.toml" "$validate" indefinite.toml --out bad

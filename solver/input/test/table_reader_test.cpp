@@ -37,6 +37,11 @@ TEST(TableReader, AMisspeltKeyIsRejectedWithFileLineAndHint) {
               "case.toml:3: geometry.half_widht: expected a known key; did you mean 'half_width'?");
 }
 
+TEST(TableReader, AMissingKeyPointsToItsMisspelling) {
+    EXPECT_EQ(message_of("other = 1\nshpae = \"block\"\n", [](TableReader& reader) { reader.string("shape"); }),
+              "case.toml:1: shape: expected a string (the key is missing; 'shpae' in line 2 looks like it)");
+}
+
 TEST(TableReader, AWrongUnitNamesTheExpectedOne) {
     EXPECT_EQ(message_of("width = \"1 kg\"\n", [](TableReader& reader) { reader.quantity("width", dimension::length); }),
               "case.toml:1: width: expected a quantity with a unit like '1 m' (not kg)");

@@ -84,7 +84,7 @@ TEST(ReadMaterial, BadValuesNameTheirKey) {
               "m.toml:1: engineering.nu: expected a Poisson's ratio above -1 and below 0.5 (not 0.5)");
     EXPECT_EQ(message("engineering = { E = \"-70 GPa\", nu = 0.2 }\n"), "m.toml:1: engineering.E: expected a modulus above zero");
     EXPECT_EQ(message("engineering = { E = \"70 GPa\", mu = 0.2 }\n"),
-              "m.toml:1: engineering.nu: expected a finite number (the key is missing)");
+              "m.toml:1: engineering.nu: expected a finite number (the key is missing; 'mu' in line 1 looks like it)");
     EXPECT_EQ(message("engineering = { E = \"70 GPa\", nu = 0.2, G = \"1 GPa\" }\n"),
               "m.toml:1: engineering.G: expected a known key; did you mean 'E'?");
     EXPECT_TRUE(contains(message("cubic = { C11 = \"1 GPa\", C12 = \"2 GPa\", C44 = \"1 GPa\" }\n"),

@@ -2,8 +2,11 @@
 
 #include "solver/mesh/tet_mesh.hpp"
 
+#include <Eigen/Core>
+
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 
 namespace cleave::mesh {
@@ -21,6 +24,8 @@ struct BodyRecord {
 struct Body {
     TetMesh mesh;
     BodyRecord record;
+    /// Region -> rotation from the material's own axes to the body's, for regions that have one (layers).
+    std::map<int, Eigen::Matrix3d> frames{};
 };
 
 /// Looks for FOLDER/NAME-HASH.msh, the hash being that of the recipe's text, and makes and stores the mesh where it is missing or

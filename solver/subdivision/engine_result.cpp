@@ -6,6 +6,12 @@
 
 namespace cleave::subdivision {
 
+int SubdivisionEngine::original_half_face(int half_face) const {
+    const int child = half_face / 4 - originals(), parent = child_parents_[child];
+    const int face = pieces(parent).face[child - first_child(parent)][half_face % 4];
+    return face < 0 ? -1 : 4 * parent + canonical_.records[parent].position[face];
+}
+
 Triangle SubdivisionEngine::triangle(const std::array<int, 4>& tet, int face) const {
     Triangle corners;
     const auto originals = static_cast<int>(canonical_.vertices.size());

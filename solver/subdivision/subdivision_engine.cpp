@@ -101,6 +101,8 @@ void SubdivisionEngine::reset() {
     child_parents_.clear();
     counts_ = {.uncut = canonical_.tets()};
     cuts_ = 0;
+    first_parent_ = 0;
+    first_new_child_ = 0;
 }
 
 bool SubdivisionEngine::passes_disc(const Cut& cut, const SubdivisionPlane& plane, int tet) const {
@@ -114,8 +116,8 @@ bool SubdivisionEngine::passes_disc(const Cut& cut, const SubdivisionPlane& plan
     return passes(cut, corners, distances);
 }
 
-void SubdivisionEngine::find_parents(const Cut& cut, const SubdivisionPlane& plane) {
-    canonical_.tets() < scan_below ? scan_all(cut, plane) : scan_near(cut, plane);
+void SubdivisionEngine::find_parents(const Cut& cut, const SubdivisionPlane& plane, const Among& among) {
+    canonical_.tets() < scan_below ? scan_all(cut, plane, among) : scan_near(cut, plane, among);
 }
 
 void SubdivisionEngine::add_parent(int tet, unsigned plus_mask) {
@@ -123,7 +125,7 @@ void SubdivisionEngine::add_parent(int tet, unsigned plus_mask) {
     parents_.push_back(tet);
 }
 
-void SubdivisionEngine::scan_all(const Cut& cut, const SubdivisionPlane& plane) {
+void SubdivisionEngine::scan_all(const Cut& cut, const SubdivisionPlane& plane, const Among& among) {
     const bool disc = std::isfinite(cut.radius);
     for (std::size_t v = 0; v < plus_.size(); ++v) plus_[v] = plane.distance(canonical_.vertices[v]) >= 0 ? 1 : 0;
     const std::uint8_t* plus = plus_.data();
@@ -131,19 +133,19 @@ void SubdivisionEngine::scan_all(const Cut& cut, const SubdivisionPlane& plane) 
         const auto& [a, b, c, d] = scanned_[tet];
         const unsigned mask = plus[a] + 2U * plus[b] + 4U * plus[c] + 8U * plus[d];
         if (mask - 1U >= 14U) continue;  // 0 and 15: all on one side
-        if (states_[tet].cut >= 0 || (disc && !passes_disc(cut, plane, tet))) continue;
+        if (states_[tet].cut >= 0 || !among.has(tet) || (disc && !passes_disc(cut, plane, tet))) continue;
         add_parent(tet, mask);
     }
 }
 
 /// Looks into the boxes at the cut; the set of finds puts them into ascending order.
-void SubdivisionEngine::scan_near(const Cut& cut, const SubdivisionPlane& plane) {
+void SubdivisionEngine::scan_near(const Cut& cut, const SubdivisionPlane& plane, const Among& among) {
     const bool disc = std::isfinite(cut.radius);
     boxes_.near(cut, [&](int tet, const std::array<int, 4>& corners) {
         const Vector4* x = canonical_.vertices.data();
         const unsigned mask = plus_mask(FourVertices(x[corners[0]], x[corners[1]], x[corners[2]], x[corners[3]]).distances(plane));
         if (mask - 1U >= 14U) return;
-        if (states_[tet].cut >= 0 || (disc && !passes_disc(cut, plane, tet))) return;
+        if (states_[tet].cut >= 0 || !among.has(tet) || (disc && !passes_disc(cut, plane, tet))) return;
         states_[tet].pieces = &tables_[2 * mask + canonical_.records[tet].odd];
         found_.set(static_cast<std::size_t>(tet));
     });
@@ -339,13 +341,14 @@ void SubdivisionEngine::write_children(const PieceTable& pieces, int tet, const 
     }
 }
 
-Counts SubdivisionEngine::cut(const Cut& cut) {
+Counts SubdivisionEngine::cut(const Cut& cut, const Among& among) {
     const Cut valid = checked(cut);
     const SubdivisionPlane plane{{valid.normal[0], valid.normal[1], valid.normal[2]},
                                  {valid.centre[0], valid.centre[1], valid.centre[2]}, options_.tau};
     const Counts before = counts_;
     first_parent_ = parents_.size();
-    find_parents(valid, plane);
+    first_new_child_ = static_cast<int>(child_tets_.size());
+    find_parents(valid, plane, among);
     mark_points();
     number_points(plane, counts_.two_two - before.two_two);
     int centre = first_centre_;

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cleave::subdivision {
@@ -34,6 +35,13 @@ struct SubdivisionPlane {
 };
 
 
+/// The tets that a cut may subdivide: all, or those with one label (a fragment's).
+struct Among {
+    const int* labels = nullptr;  ///< per original tet; none: all tets
+    int label = 0;
+    bool has(int tet) const { return labels == nullptr || labels[tet] == label; }
+};
+
 /// The fast form of PlainSubdivision, equal to it to the bit. Original tets keep their numbers 0 .. n-1; children are numbered
 /// from n on, cut by cut, parent by parent, and stand in arrays of their own, so that a cut costs what it cuts and not what the
 /// body has. A child's neighbour is read from tables: vertices of each tet are taken in sorted order, hence the two tets at a
@@ -43,8 +51,8 @@ public:
     /// Set-up: sorts, numbers and links; costs more than many cuts. The mesh must have passed mesh::check.
     explicit SubdivisionEngine(const mesh::TetMesh& mesh, const Options& options = {});
 
-    /// Subdivides all whole tets that the cut passes. Throws std::invalid_argument for a bad cut.
-    Counts cut(const Cut& cut);
+    /// Subdivides all whole tets (of those given) that the cut passes. Throws std::invalid_argument for a bad cut.
+    Counts cut(const Cut& cut, const Among& among = {});
 
     /// Whole again; memory is kept.
     void reset();
@@ -59,6 +67,19 @@ public:
     const Buffer<std::array<double, 3>>& points() const { return points_; }
     const Counts& counts() const { return counts_; }
     bool is_cut(int tet) const { return states_[tet].cut >= 0; }
+    int originals() const { return canonical_.tets(); }
+    const CanonicalMesh& canonical() const { return canonical_; }
+    /// Of a cut tet: how it was divided, and its first child (counted among the children).
+    const PieceTable& pieces(int tet) const { return *states_[tet].pieces; }
+    int first_child(int tet) const { return states_[tet].first_child; }
+    /// +1 or -1: the side of its cut.
+    int side(int child) const { return pieces(child_parents_[child]).side[child - first_child(child_parents_[child])]; }
+    /// Tets divided by the last cut, ascending, and the first of its children.
+    std::span<const int> last_parents() const { return {parents_.data() + first_parent_, parents_.size() - first_parent_}; }
+    int first_new_child() const { return first_new_child_; }
+    /// The original half face, in its tet's order of faces, that a child's outer half face (4 * (originals + child) + face) is a part of;
+    /// -1 for one inside the parent.
+    int original_half_face(int half_face) const;
 
     /// Extra links of all cuts so far, found anew at each call.
     void find_extra_links(std::vector<ExtraLink>& links) const;
@@ -72,9 +93,9 @@ private:
         int cut = -1;                        ///< the cut that divided it, -1: whole
         int first_child = 0;                 ///< among the children
     };
-    void find_parents(const Cut& cut, const SubdivisionPlane& plane);
-    void scan_all(const Cut& cut, const SubdivisionPlane& plane);
-    void scan_near(const Cut& cut, const SubdivisionPlane& plane);
+    void find_parents(const Cut& cut, const SubdivisionPlane& plane, const Among& among);
+    void scan_all(const Cut& cut, const SubdivisionPlane& plane, const Among& among);
+    void scan_near(const Cut& cut, const SubdivisionPlane& plane, const Among& among);
     void add_parent(int tet, unsigned plus_mask);
     bool passes_disc(const Cut& cut, const SubdivisionPlane& plane, int tet) const;
     void mark_points();
@@ -113,6 +134,7 @@ private:
     Buffer<int> parents_;            ///< of all cuts
     Buffer<int> loose_;              ///< faces (4 * tet + face) of parents that did not conform when the parent was cut
     std::size_t first_parent_ = 0;   ///< of the current cut
+    int first_new_child_ = 0;        ///< of the current cut
     int first_edge_point_ = 0, first_face_point_ = 0, first_centre_ = 0;  ///< numbers of the current cut
     int cuts_ = 0;                   ///< so far; the current cut's number
     Counts counts_;

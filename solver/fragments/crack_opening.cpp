@@ -1,0 +1,102 @@
+#include "solver/fragments/crack_opening.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleave::fragments {
+
+using Eigen::Vector3d;
+
+CrackOpening::CrackOpening(const FragmentedBody& body, const Crack& crack, const std::vector<int>& particles)
+    : body_(body), engine_(body.engine()), crack_(crack), particles_(particles),
+      fragment_(particles.empty() ? -1 : body.fragment_of(particles.front())) {}
+
+/// A child of this cut lies where the cut left it (the vertex rule tau may move that off the plane); others by their centroid.
+int CrackOpening::side(int particle) const {
+    const int child = particle - body_.originals();
+    if (body_.scheme() == Scheme::adaptive && child >= engine_.first_new_child()) return engine_.side(child);
+    return subdivision::plane_distance(crack_.disc.normal, crack_.disc.centre, body_.centroid(particle)) >= 0 ? 1 : -1;
+}
+
+/// The line between the centroids meets the plane at a + |d_a| / (|d_a| + |d_b|) (b - a).
+bool CrackOpening::intersects(int first, int second) const {
+    if (side(first) == side(second)) return false;
+    if (std::isinf(crack_.disc.radius)) return true;
+    const Vector3d a = body_.centroid(first), b = body_.centroid(second);
+    const double da = std::abs(subdivision::plane_distance(crack_.disc.normal, crack_.disc.centre, a));
+    const double db = std::abs(subdivision::plane_distance(crack_.disc.normal, crack_.disc.centre, b));
+    const double along = da + db > 0 ? da / (da + db) : 0.5;
+    return (a + along * (b - a) - crack_.disc.centre).norm() <= crack_.disc.radius;
+}
+
+/// Links inside the tets that this cut divided. (Equal pieces at a face between two of them lie on the same side.)
+int CrackOpening::open_new_parents(LinkTable& links) const {
+    int removed = 0;
+    for (const int parent : engine_.last_parents()) {
+        const subdivision::PieceTable& pieces = engine_.pieces(parent);
+        const int first = body_.originals() + engine_.first_child(parent);
+        for (int k = 0; k < pieces.children; ++k) {
+            for (int face = 0; face < 4; ++face) {
+                const int inner = pieces.inner[k][face];
+                if (inner < 4 * k || pieces.side[k] == pieces.side[inner / 4] || !intersects(first + k, first + inner / 4)) continue;
+                links.remove(engine_, 4 * (first + k) + face);
+                ++removed;
+            }
+        }
+    }
+    return removed;
+}
+
+/// Links over equal faces between the given particles and others that come before them.
+int CrackOpening::open_faces(LinkTable& links, const std::vector<int>& particles) const {
+    int removed = 0;
+    for (const int particle : particles) {
+        for (int face = 0; face < 4; ++face) {
+            const int half_face = 4 * particle + face, behind = links.opposite(engine_, half_face);
+            if (behind < 0 || behind / 4 > particle || links.is_removed(half_face) || links.is_gone(behind / 4)) continue;
+            if (!intersects(particle, behind / 4)) continue;
+            links.remove(engine_, half_face);
+            ++removed;
+        }
+    }
+    return removed;
+}
+
+int CrackOpening::open_partial(LinkTable& links) const {
+    int removed = 0;
+    for (std::size_t i = 0; i < links.partial().size(); ++i) {
+        const auto& [link, gone] = links.partial()[i];
+        if (gone || !is_ours(link.first / 4) || !intersects(link.first / 4, link.second / 4)) continue;
+        links.remove_partial(i);
+        ++removed;
+    }
+    return removed;
+}
+
+int CrackOpening::remove_intersected(LinkTable& links) const {
+    if (body_.scheme() == Scheme::basic) return open_faces(links, particles_);
+    const auto old_children = std::lower_bound(particles_.begin(), particles_.end(), body_.originals());
+    const auto new_children = std::lower_bound(old_children, particles_.end(), body_.originals() + engine_.first_new_child());
+    return open_new_parents(links) + open_faces(links, {old_children, new_children}) + open_partial(links);
+}
+
+int CrackOpening::isolate_inside(LinkTable& links) const {
+    if (!(crack_.inner_radius > 0)) return 0;
+    std::vector<int> inside;
+    for (const int particle : particles_) {
+        if ((body_.centroid(particle) - crack_.disc.centre).norm() < crack_.inner_radius) inside.push_back(particle);
+    }
+    for (const int particle : inside) {
+        for (int face = 0; face < 4; ++face) {
+            if (links.opposite(engine_, 4 * particle + face) >= 0) links.remove(engine_, 4 * particle + face);
+        }
+    }
+    const auto is_inside = [&](int half_face) { return std::binary_search(inside.begin(), inside.end(), half_face / 4); };
+    for (std::size_t i = 0; i < links.partial().size(); ++i) {
+        const subdivision::ExtraLink& link = links.partial()[i].link;
+        if (is_inside(link.first) || is_inside(link.second)) links.remove_partial(i);
+    }
+    return static_cast<int>(inside.size());
+}
+
+}  // namespace cleave::fragments

@@ -1,0 +1,135 @@
+#include "solver/fragments/fragmented_body.hpp"
+
+#include "solver/fragments/crack_opening.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace cleave::fragments {
+
+using Eigen::Vector3d;
+
+FragmentedBody::FragmentedBody(const mesh::TetMesh& mesh, Scheme scheme, const subdivision::Options& options)
+    : mesh_(mesh), scheme_(scheme), engine_(mesh, options), links_(engine_), fragment_of_(mesh.tets.size(), 0) {
+    std::vector<int> all(mesh_.tets.size());
+    std::iota(all.begin(), all.end(), 0);
+    unite(all);
+    fragments_.resize(1);
+    std::vector<int> numbers = split(0, all);
+    if (numbers.empty()) return;
+    // The body came in pieces: they are the first fragments.
+    fragments_.erase(fragments_.begin());
+    for (Fragment& fragment : fragments_) fragment.origin = -1;
+    for (int& number : fragment_of_) --number;
+}
+
+CrackOutcome FragmentedBody::crack(const Crack& crack, int fragment) {
+    if (fragment < 0 || fragment >= fragments() || fragments_[fragment].retired) {
+        throw std::invalid_argument("FragmentedBody: the fragment does not exist, or fell apart before");
+    }
+    if (!(crack.inner_radius >= 0) || !std::isfinite(crack.inner_radius)) {
+        throw std::invalid_argument("FragmentedBody: the inner radius must be finite and not negative");
+    }
+    const Crack valid{.disc = subdivision::checked(crack.disc), .inner_radius = crack.inner_radius};
+    CrackOutcome outcome;
+    std::vector<int> particles = subdivided(valid, fragment, outcome);
+    const CrackOpening opening(*this, valid, particles);
+    outcome.removed_links = opening.remove_intersected(links_);
+    outcome.isolated = opening.isolate_inside(links_);
+    unite(particles);
+    outcome.new_fragments = split(fragment, particles);
+    return outcome;
+}
+
+/// Subdivides what the disc passes; returns the fragment's particles afterwards, ascending.
+std::vector<int> FragmentedBody::subdivided(const Crack& crack, int fragment, CrackOutcome& outcome) {
+    std::vector<int> particles = std::move(fragments_[fragment].particles);
+    outcome.counts.uncut = engine_.counts().uncut;
+    if (scheme_ == Scheme::basic) return particles;
+    outcome.counts = engine_.cut(crack.disc, {fragment_of_.data(), fragment});
+    links_.take_over(engine_);
+    for (const int parent : engine_.last_parents()) fragment_of_[parent] = -1;
+    std::erase_if(particles, [&](int particle) { return fragment_of_[particle] < 0; });
+    for (int particle = static_cast<int>(fragment_of_.size()); particle < particle_numbers(); ++particle) particles.push_back(particle);
+    fragment_of_.resize(particle_numbers(), fragment);
+    return particles;
+}
+
+/// Finds the sets of linked particles among those given.
+void FragmentedBody::unite(const std::vector<int>& particles) {
+    sets_.grow(particle_numbers());
+    for (const int particle : particles) {
+        sets_.make_single(particle);
+        for (int face = 0; face < 4; ++face) {
+            const int behind = links_.opposite(engine_, 4 * particle + face);
+            if (behind < 0 || behind / 4 > particle || links_.is_removed(4 * particle + face) || links_.is_gone(behind / 4)) continue;
+            sets_.unite(particle, behind / 4);
+        }
+    }
+    for (const PartialLink& partial : links_.partial()) {
+        const int first = partial.link.first / 4, second = partial.link.second / 4;
+        if (!partial.removed && fragment_of_[first] == fragment_of_[particles.front()]) sets_.unite(first, second);
+    }
+}
+
+/// Hands the particles to new fragments where they form several sets (returned), back to the fragment where they form one.
+std::vector<int> FragmentedBody::split(int fragment, const std::vector<int>& particles) {
+    std::vector<int> numbers;
+    if (std::all_of(particles.begin(), particles.end(), [&](int particle) { return sets_.find(particle) == particles.front(); })) {
+        fragments_[fragment].particles = particles;
+        return numbers;
+    }
+    for (const int particle : particles) {
+        const int root = sets_.find(particle);  // the smallest of its set: it came first
+        if (root == particle) {
+            numbers.push_back(fragments());
+            fragment_of_[particle] = fragments();
+            fragments_.push_back({.origin = fragment, .retired = false, .particles = {}});
+        }
+        fragment_of_[particle] = fragment_of_[root];
+        fragments_[fragment_of_[particle]].particles.push_back(particle);
+    }
+    fragments_[fragment].retired = true;
+    fragments_[fragment].particles.clear();
+    return numbers;
+}
+
+int FragmentedBody::particle_numbers() const { return originals() + static_cast<int>(engine_.child_tets().size()); }
+
+bool FragmentedBody::is_particle(int number) const { return number >= 0 && number < particle_numbers() && !links_.is_gone(number); }
+
+std::array<int, 4> FragmentedBody::vertices(int particle) const {
+    return particle < originals() ? mesh_.tets[particle] : engine_.child_tets()[particle - originals()];
+}
+
+Vector3d FragmentedBody::point(int vertex) const {
+    const int made = vertex - static_cast<int>(mesh_.vertices.size());
+    return made < 0 ? mesh_.vertices[vertex] : Vector3d::Map(engine_.points()[made].data()).eval();
+}
+
+double FragmentedBody::volume(int particle) const {
+    return particle < originals() ? mesh::tet_volume(mesh_, particle) : engine_.child_volumes()[particle - originals()];
+}
+
+Vector3d FragmentedBody::centroid(int particle) const {
+    if (particle < originals()) return mesh::tet_centroid(mesh_, particle);
+    return Vector3d::Map(engine_.child_centroids()[particle - originals()].data());
+}
+
+int FragmentedBody::parent(int particle) const { return particle < originals() ? particle : engine_.child_parents()[particle - originals()]; }
+
+int FragmentedBody::region(int particle) const {
+    return mesh_.regions.empty() ? 0 : mesh_.regions[parent(particle)];
+}
+
+std::vector<int> FragmentedBody::current_fragments() const {
+    std::vector<int> numbers;
+    for (int i = 0; i < fragments(); ++i) {
+        if (!fragments_[i].retired) numbers.push_back(i);
+    }
+    return numbers;
+}
+
+}  // namespace cleave::fragments

@@ -1,0 +1,78 @@
+#include "solver/fragments/link_table.hpp"
+
+#include <algorithm>
+
+namespace cleave::fragments {
+namespace {
+
+using subdivision::SubdivisionEngine;
+
+std::uint64_t pair_key(int first, int second) {
+    const auto [low, high] = std::minmax(first, second);
+    return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
+}
+
+}  // namespace
+
+LinkTable::LinkTable(const SubdivisionEngine& engine) : own_(engine.originals()), state_(engine.originals(), 0) {
+    const auto& records = engine.canonical().records;
+    for (std::size_t tet = 0; tet < own_.size(); ++tet) {
+        for (int face = 0; face < 4; ++face) {
+            const int behind = records[tet].opposite[face];
+            own_[tet][records[tet].position[face]] = behind < 0 ? -1 : 4 * (behind / 4) + records[behind / 4].position[behind % 4];
+        }
+    }
+}
+
+void LinkTable::take_over(const SubdivisionEngine& engine) {
+    removed_pairs_.clear();
+    for (const PartialLink& partial : partial_) {
+        if (partial.removed) removed_pairs_.push_back(pair_key(partial.link.first, partial.link.second));
+    }
+    std::sort(removed_pairs_.begin(), removed_pairs_.end());
+    state_.resize(own_.size() + engine.child_tets().size(), 0);
+    for (const int parent : engine.last_parents()) {
+        state_[parent] |= gone;
+        pass_on_removals(engine, parent);
+    }
+    engine.find_extra_links(scratch_);
+    partial_.clear();
+    for (const subdivision::ExtraLink& link : scratch_) {
+        partial_.push_back({link, was_removed(engine, before_cut(engine, link.first), before_cut(engine, link.second))});
+    }
+}
+
+/// The half face before the current cut that a half face is a part of.
+int LinkTable::before_cut(const SubdivisionEngine& engine, int half_face) const {
+    const int child = half_face / 4 - originals();
+    if (child < 0 || child < engine.first_new_child()) return half_face;
+    return engine.original_half_face(half_face);
+}
+
+/// Whether the link between two half faces had been removed before the current cut.
+bool LinkTable::was_removed(const SubdivisionEngine& engine, int first, int second) const {
+    const bool both_original = first / 4 < originals() && second / 4 < originals();
+    if (both_original && opposite(engine, first) == second) return is_removed(first);
+    return std::binary_search(removed_pairs_.begin(), removed_pairs_.end(), pair_key(first, second));
+}
+
+/// Equal faces between the pieces of a parent and what lies behind them.
+void LinkTable::pass_on_removals(const SubdivisionEngine& engine, int parent) {
+    if (removed_pairs_.empty() && (state_[parent] & 15U) == 0) return;
+    const subdivision::PieceTable& pieces = engine.pieces(parent);
+    for (int k = 0; k < pieces.children; ++k) {
+        for (int face = 0; face < 4; ++face) {
+            if (pieces.face[k][face] < 0) continue;
+            const int here = 4 * (originals() + engine.first_child(parent) + k) + face, there = opposite(engine, here);
+            if (there >= 0 && was_removed(engine, before_cut(engine, here), before_cut(engine, there))) remove(engine, here);
+        }
+    }
+}
+
+void LinkTable::remove(const SubdivisionEngine& engine, int half_face) {
+    const int behind = opposite(engine, half_face);
+    state_[half_face / 4] |= static_cast<std::uint8_t>(1U << half_face % 4);
+    if (behind >= 0) state_[behind / 4] |= static_cast<std::uint8_t>(1U << behind % 4);
+}
+
+}  // namespace cleave::fragments

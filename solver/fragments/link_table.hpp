@@ -1,0 +1,58 @@
+#pragma once
+
+#include "solver/subdivision/subdivided.hpp"
+#include "solver/subdivision/subdivision_engine.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace cleave::fragments {
+
+/// An extra link (two half faces that share a part) and whether a crack removed it.
+struct PartialLink {
+    subdivision::ExtraLink link;
+    bool removed = false;
+};
+
+/// Who is still linked to whom. Particles and half faces (4 * particle + face) are numbered as by the engine. The engine knows which
+/// faces touch; this table knows which of those links cracks have removed, and passes that on to the pieces when a tet is
+/// subdivided later: a piece is unlinked from what its parent was unlinked from.
+class LinkTable {
+public:
+    explicit LinkTable(const subdivision::SubdivisionEngine& engine);
+
+    /// Call after each cut of the engine: links of the new children.
+    void take_over(const subdivision::SubdivisionEngine& engine);
+
+    /// The half face behind an equal face, removed or not; -1 at the body's boundary and where faces do not conform. A subdivided
+    /// original may still be named by its whole neighbours: ask is_gone.
+    int opposite(const subdivision::SubdivisionEngine& engine, int half_face) const {
+        const int particle = half_face / 4;
+        return particle < originals() ? own_[static_cast<std::size_t>(particle)][half_face % 4]
+                                      : engine.child_links()[static_cast<std::size_t>(particle - originals())][half_face % 4];
+    }
+    bool is_removed(int half_face) const { return (state_[static_cast<std::size_t>(half_face / 4)] >> half_face % 4 & 1U) != 0; }
+    bool is_gone(int particle) const { return (state_[static_cast<std::size_t>(particle)] & gone) != 0; }
+    const std::vector<PartialLink>& partial() const { return partial_; }
+    int originals() const { return static_cast<int>(own_.size()); }
+    int particles() const { return static_cast<int>(state_.size()); }
+
+    /// Removes the link over an equal face, from both sides.
+    void remove(const subdivision::SubdivisionEngine& engine, int half_face);
+    void remove_partial(std::size_t index) { partial_[index].removed = true; }
+
+private:
+    static constexpr std::uint8_t gone = 16;
+    int before_cut(const subdivision::SubdivisionEngine& engine, int half_face) const;
+    bool was_removed(const subdivision::SubdivisionEngine& engine, int first, int second) const;
+    void pass_on_removals(const subdivision::SubdivisionEngine& engine, int parent);
+
+    subdivision::LargeVector<std::array<int, 4>> own_;  ///< per original tet: behind each face, in the tet's own order of faces
+    std::vector<std::uint8_t> state_;                   ///< per particle: bits 0..3 removed links, `gone`: subdivided
+    std::vector<PartialLink> partial_;                  ///< of all cuts, in the engine's order
+    std::vector<std::uint64_t> removed_pairs_;          ///< removed partial links before the current cut, sorted
+    std::vector<subdivision::ExtraLink> scratch_;
+};
+
+}  // namespace cleave::fragments

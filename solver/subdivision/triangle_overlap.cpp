@@ -9,19 +9,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A convex polygon. Clipping a triangle by three lines gives at most six corners; rounding that bends it could give nine
-/// (3 -> 4 -> 6 -> 9 if the signs alternate as often as they can).
-struct Polygon {
-    std::array<Vector2d, 9> corners;
-    int count = 0;
-    void add(const Vector2d& corner) { corners[count++] = corner; }
-};
-
 double cross(const Vector2d& a, const Vector2d& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// The part of the polygon on the left of the line from a to b.
-Polygon clip(const Polygon& polygon, const Vector2d& a, const Vector2d& b) {
-    Polygon kept;
+FlatPolygon clip(const FlatPolygon& polygon, const Vector2d& a, const Vector2d& b) {
+    FlatPolygon kept;
     for (int i = 0; i < polygon.count; ++i) {
         const Vector2d& here = polygon.corners[i];
         const Vector2d& next = polygon.corners[(i + 1) % polygon.count];
@@ -32,7 +24,7 @@ Polygon clip(const Polygon& polygon, const Vector2d& a, const Vector2d& b) {
     return kept;
 }
 
-double area(const Polygon& polygon) {
+double area(const FlatPolygon& polygon) {
     double twice = 0;
     for (int i = 1; i + 1 < polygon.count; ++i) {
         twice += cross(polygon.corners[i] - polygon.corners[0], polygon.corners[i + 1] - polygon.corners[0]);
@@ -54,11 +46,13 @@ FlatTriangle FaceFrame::flat(const Triangle& triangle) const {
     return flat;
 }
 
-double overlap_area(const FlatTriangle& a, const FlatTriangle& b) {
-    Polygon polygon;
+FlatPolygon overlap(const FlatTriangle& a, const FlatTriangle& b) {
+    FlatPolygon polygon;
     for (const Vector2d& corner : a) polygon.add(corner);
     for (int i = 0; i < 3; ++i) polygon = clip(polygon, b[i], b[(i + 1) % 3]);
-    return area(polygon);
+    return polygon;
 }
+
+double overlap_area(const FlatTriangle& a, const FlatTriangle& b) { return area(overlap(a, b)); }
 
 }  // namespace cleave::subdivision

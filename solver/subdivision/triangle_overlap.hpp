@@ -23,12 +23,25 @@ public:
     explicit FaceFrame(const Triangle& face);
     /// Counter-clockwise, whatever the order of the input.
     FlatTriangle flat(const Triangle& triangle) const;
+    /// Back to space.
+    Eigen::Vector3d lift(const Eigen::Vector2d& point) const { return origin_ + point[0] * first_ + point[1] * second_; }
 
 private:
     Eigen::Vector3d origin_, first_, second_;
 };
 
-/// Area of the common part of two counter-clockwise triangles, m^2 (Sutherland and Hodgman 1974: one clipped by the other's edges).
+/// A convex polygon, counter-clockwise. Clipping a triangle by three lines gives at most six corners; rounding that bends it could
+/// give nine (3 -> 4 -> 6 -> 9 if the signs alternate as often as they can).
+struct FlatPolygon {
+    std::array<Eigen::Vector2d, 9> corners;
+    int count = 0;
+    void add(const Eigen::Vector2d& corner) { corners[count++] = corner; }
+};
+
+/// The common part of two counter-clockwise triangles (Sutherland and Hodgman 1974: one clipped by the other's edges).
+FlatPolygon overlap(const FlatTriangle& a, const FlatTriangle& b);
+
+/// Its area, m^2.
 double overlap_area(const FlatTriangle& a, const FlatTriangle& b);
 
 }  // namespace cleave::subdivision

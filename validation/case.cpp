@@ -179,12 +179,25 @@ void read_particles(TableReader& reader, const Defaults& defaults, Case& result)
     }
 }
 
+void read_study_case(TableReader& reader, Case& result) {
+    TableReader table = reader.table("study");
+    const StudyInfo& info = study_info(table);
+    result.study = info.read(table);
+    result.ladder = {{"quick", {0}}};  // one step: a study has its own sizes
+    for (TableReader& check : reader.tables("check")) result.checks.push_back(read_study_check(check, info));
+    reader.finish();
+}
+
 Case read_one(TableReader reader, const std::string& file, const std::string& ladder) {
     Case result;
     result.file = file;
     result.name = reader.string("name");
     result.tier = reader.choice("tier", {"verification", "cross_code", "paper"});
     result.about = reader.string("about");
+    if (reader.has("study")) {
+        read_study_case(reader, result);
+        return result;
+    }
     TableReader geometry = reader.table("geometry");
     result.shape = geometry::read_shape(geometry);
     result.materials = read_materials(reader);

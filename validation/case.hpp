@@ -5,6 +5,7 @@
 #include "validation/check.hpp"
 #include "validation/geometry/shape.hpp"
 #include "validation/norms.hpp"
+#include "validation/study.hpp"
 
 #include <map>
 #include <memory>
@@ -53,8 +54,10 @@ struct Check {
     std::string region = "";            ///< over.region
     std::string norm = "rms";           ///< over.norm
     std::vector<std::array<double, 3>> at;
+    std::vector<std::string> places;    ///< of a study; empty for all it has
     double divide_by = 1;               ///< SI; makes a stress concentration of a stress
     Dimension unit;                     ///< of value and reference, after divide_by
+    bool angle = false;                 ///< value, reference and absolute band in degrees
     bool must_fail = false;
     std::string where;                  ///< "check[2]", for messages
     Band band(const std::string& solver) const;
@@ -86,13 +89,14 @@ struct ParticleSettings {
     std::optional<SolutionCall> solution;
 };
 
-/// A case file, one sweep combination of it, with every value in SI.
+/// A case file, one sweep combination of it, with every value in SI (angles of checks in degrees).
 struct Case {
     std::string name;    ///< with the swept values in brackets
     std::string file;    ///< as given, for messages
     std::string tier;
     std::string about;
     std::map<std::string, std::string> parameters;  ///< swept keys
+    std::shared_ptr<const Study> study;             ///< set for a case without a body of its own: [study] instead of [geometry] ... [ladder]
     std::shared_ptr<const geometry::Shape> shape;
     std::map<std::string, material::Material> materials;  ///< by region name; "" for the whole body
     std::vector<SurfaceLoad> loads;

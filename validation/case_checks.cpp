@@ -13,19 +13,38 @@ namespace {
 
 using Defaults = std::map<std::string, SolutionCall>;
 
-std::vector<std::string> read_solvers(TableReader& table) {
+using Names = std::vector<std::string>;
+
+std::vector<std::string> read_solvers(TableReader& table, const Names& known) {
     std::vector<std::string> solvers = table.strings("solver");
     for (const std::string& name : solvers)
-        if (std::find(solver_names().begin(), solver_names().end(), name) == solver_names().end())
-            table.fail("solver", fmt::format("one of {} (not '{}')", fmt::join(solver_names(), ", "), name));
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            table.fail("solver", fmt::format("one of {} (not '{}')", fmt::join(known, ", "), name));
     if (solvers.empty()) table.fail("solver", "at least one solver");
     return solvers;
 }
 
+Names names_of(const std::vector<QuantityInfo>& list) {
+    Names names;
+    for (const QuantityInfo& quantity : list) names.push_back(quantity.name);
+    return names;
+}
+
+const QuantityInfo& info_of(const std::string& quantity, const std::vector<QuantityInfo>& list) {
+    return *std::find_if(list.begin(), list.end(), [&](const QuantityInfo& info) { return info.name == quantity; });
+}
+
+/// The dimension of a check's numbers; angles are judged and shown in degrees.
+struct Unit {
+    Dimension dimension;
+    bool angle = false;
+    double read(TableReader& table, const std::string& key) const {
+        return angle ? degrees(table.angle(key)) : table.quantity(key, dimension);
+    }
+};
+
 Observable read_observable(TableReader& table) {
-    std::vector<std::string> names;
-    for (const auto& [name, dimension] : quantities()) names.push_back(name);
-    Observable observable{table.choice("quantity", names), ""};
+    Observable observable{table.choice("quantity", names_of(quantities())), ""};
     if (!table.has("component")) return observable;
     if (is_scalar(observable.quantity)) table.fail("component", "no component for a quantity of the whole body");
     const bool vector = observable.quantity == "displacement";
@@ -34,22 +53,20 @@ Observable read_observable(TableReader& table) {
     return observable;
 }
 
-Dimension dimension_of(const std::string& quantity) {
-    for (const auto& [name, dimension] : quantities())
-        if (name == quantity) return dimension;
-    return {};
+void read_value(TableReader& reference, Unit unit, Reference& result) {
+    result.kind = Reference::Kind::value;
+    result.value = unit.read(reference, "value");
+    result.source = reference.string("source");
 }
 
-Reference read_reference(TableReader& table, const Defaults& defaults, Dimension unit) {
+Reference read_reference(TableReader& table, const Defaults& defaults, Unit unit) {
     auto reference = table.table_if("reference");
     if (!reference) return {};
     Reference result;
     if (reference->has("value") + reference->has("solution") + reference->has("solver") != 1)
         reference->fail("", "exactly one of value, solution, solver");
     if (reference->has("value")) {
-        result.kind = Reference::Kind::value;
-        result.value = reference->quantity("value", unit);
-        result.source = reference->string("source");
+        read_value(*reference, unit, result);
     } else if (reference->has("solution")) {
         result.kind = Reference::Kind::solution;
         result.solution = read_solution_call(*reference, defaults);
@@ -61,26 +78,26 @@ Reference read_reference(TableReader& table, const Defaults& defaults, Dimension
     return result;
 }
 
-Band read_limits(TableReader& table, Dimension unit) {
+Band read_limits(TableReader& table, Unit unit) {
     Band band;
     const auto positive = [&](const char* key, double value) {
         if (!(value > 0)) table.fail(key, "a positive number");
         return value;
     };
     if (table.has("relative")) band.relative = positive("relative", table.number("relative"));
-    if (table.has("absolute")) band.absolute = positive("absolute", table.quantity("absolute", unit));
+    if (table.has("absolute")) band.absolute = positive("absolute", unit.read(table, "absolute"));
     if (table.has("order_at_least")) band.order_at_least = positive("order_at_least", table.number("order_at_least"));
     if (band.empty()) table.fail("", "at least one of relative, absolute, order_at_least");
     return band;
 }
 
 /// One band for all solvers, or a table of them by solver; the solvers' names have dots and so stand in quotes.
-std::map<std::string, Band> read_bands(TableReader& table, const std::vector<std::string>& solvers, Dimension unit) {
+std::map<std::string, Band> read_bands(TableReader& table, const Names& solvers, const Names& known, Unit unit) {
     std::map<std::string, Band> bands;
     auto band = table.table_if("band");
     if (!band) return bands;
     bool by_solver = false;
-    for (const std::string& solver : solver_names())
+    for (const std::string& solver : known)
         if (band->has(solver)) {
             by_solver = true;
             if (std::find(solvers.begin(), solvers.end(), solver) == solvers.end()) band->fail(solver, "a solver of this check");
@@ -105,19 +122,24 @@ void read_place(TableReader& table, const Case& of, Check& check) {
     if (table.has("at")) check.at = table.vectors("at", dimension::length);
 }
 
-void require_consistency(const TableReader& table, const Check& check, const Case& of) {
-    for (const auto& [solver, band] : check.bands)
-        if (band.order_at_least && !of.shape->uniform_refinement()) table.fail("band", "no order_at_least for a shape whose mesh is graded");
+/// What holds for checks of every kind.
+void require_reasons(const TableReader& table, const Check& check) {
     if (!check.bands.empty() && check.reference.kind == Reference::Kind::none) table.fail("reference", "a reference for the band (the key is missing)");
     if (!check.bands.empty() && check.basis.empty()) table.fail("basis", "why the band is that wide (the key is missing)");
     if (check.must_fail && check.bands.empty()) table.fail("band", "a band for a must-fail twin (the key is missing)");
+    if (check.reference.kind == Reference::Kind::value && check.reference.value == 0)
+        for (const auto& [solver, band] : check.bands)
+            if (band.relative) table.fail("band", "an absolute band beside a reference of zero");
+}
+
+void require_consistency(const TableReader& table, const Check& check, const Case& of) {
+    for (const auto& [solver, band] : check.bands)
+        if (band.order_at_least && !of.shape->uniform_refinement()) table.fail("band", "no order_at_least for a shape whose mesh is graded");
+    require_reasons(table, check);
     const bool scalar = is_scalar(check.observable.quantity);
     if (scalar && !check.at.empty()) table.fail("at", "no place for a quantity of the whole body");
     if (check.reference.kind == Reference::Kind::value && !scalar && (check.at.empty() || check.observable.component.empty()))
         table.fail("reference", "'at' and 'component' beside a reference value");
-    if (check.reference.kind == Reference::Kind::value && check.reference.value == 0)
-        for (const auto& [solver, band] : check.bands)
-            if (band.relative) table.fail("band", "an absolute band beside a reference of zero");
     for (const auto& [solver, band] : check.bands)
         if (band.absolute && check.observable.component.empty() && !scalar) table.fail("band", "'component' beside an absolute band");
 }
@@ -130,8 +152,8 @@ const std::vector<std::string>& solver_names() {
     return names;
 }
 
-const std::vector<std::pair<std::string, Dimension>>& quantities() {
-    static const std::vector<std::pair<std::string, Dimension>> list{
+const std::vector<QuantityInfo>& quantities() {
+    static const std::vector<QuantityInfo> list{
         {"displacement", dimension::length},
         {"strain", dimension::none},
         {"stress", dimension::pressure},
@@ -153,22 +175,66 @@ const std::vector<std::pair<std::string, Dimension>>& quantities() {
 
 bool is_scalar(const std::string& quantity) { return quantity != "displacement" && quantity != "strain" && quantity != "stress"; }
 
+namespace {
+
+void read_unit(TableReader& table, const std::vector<QuantityInfo>& list, Check& check) {
+    const QuantityInfo& info = info_of(check.observable.quantity, list);
+    check.unit = info.dimension;
+    check.angle = info.angle;
+    if (!table.has("divide_by")) return;
+    check.divide_by = Unit{check.unit, check.angle}.read(table, "divide_by");
+    if (!(check.divide_by > 0)) table.fail("divide_by", "a positive quantity");
+    check.unit = dimension::none;
+    check.angle = false;
+}
+
+void read_judgement(TableReader& table, const Names& solvers, Check& check) {
+    check.bands = read_bands(table, check.solvers, solvers, {check.unit, check.angle});
+    check.basis = table.string_or("basis", "");
+    check.must_fail = table.boolean_or("must_fail", false);
+}
+
+Reference read_study_reference(TableReader& table, const StudyInfo& study, Unit unit) {
+    auto reference = table.table_if("reference");
+    if (!reference) return {};
+    if (reference->has("value") == reference->has("solver")) reference->fail("", "exactly one of value, solver");
+    Reference result;
+    if (reference->has("value")) {
+        read_value(*reference, unit, result);
+        return result;
+    }
+    result.kind = Reference::Kind::solver;
+    result.source = reference->choice("solver", study.methods);
+    return result;
+}
+
+}  // namespace
+
+Check read_study_check(TableReader& table, const StudyInfo& study) {
+    Check check;
+    check.where = table.dotted("");
+    check.where.pop_back();
+    check.observable.quantity = table.choice("quantity", names_of(study.quantities));
+    read_unit(table, study.quantities, check);
+    check.solvers = read_solvers(table, study.methods);
+    if (table.has("place")) check.places = table.strings("place");
+    check.reference = read_study_reference(table, study, {check.unit, check.angle});
+    read_judgement(table, study.methods, check);
+    for (const auto& [solver, band] : check.bands)
+        if (band.order_at_least) table.fail("band", "no order_at_least in a study");
+    require_reasons(table, check);
+    return check;
+}
+
 Check read_check(TableReader& table, const Defaults& defaults, const Case& of) {
     Check check;
     check.where = table.dotted("");
     check.where.pop_back();
     check.observable = read_observable(table);
-    check.unit = dimension_of(check.observable.quantity);
-    if (table.has("divide_by")) {
-        check.divide_by = table.quantity("divide_by", check.unit);
-        if (!(check.divide_by > 0)) table.fail("divide_by", "a positive quantity");
-        check.unit = dimension::none;
-    }
-    check.solvers = read_solvers(table);
-    check.reference = read_reference(table, defaults, check.unit);
-    check.bands = read_bands(table, check.solvers, check.unit);
-    check.basis = table.string_or("basis", "");
-    check.must_fail = table.boolean_or("must_fail", false);
+    read_unit(table, quantities(), check);
+    check.solvers = read_solvers(table, solver_names());
+    check.reference = read_reference(table, defaults, {check.unit, check.angle});
+    read_judgement(table, solver_names(), check);
     read_place(table, of, check);
     require_consistency(table, check, of);
     return check;
@@ -181,7 +247,7 @@ Profile read_profile(TableReader& table, const Defaults& defaults, const Case& o
     profile.title = table.string("title");
     profile.observable = read_observable(table);
     if (profile.observable.component.empty()) table.fail("component", "the component to draw");
-    profile.solvers = read_solvers(table);
+    profile.solvers = read_solvers(table, solver_names());
     if (table.has("solution")) profile.reference = read_solution_call(table, defaults);
     profile.from = table.vector("from", dimension::length);
     profile.to = table.vector("to", dimension::length);
@@ -189,7 +255,7 @@ Profile read_profile(TableReader& table, const Defaults& defaults, const Case& o
     if (profile.points < 2 || profile.points > 100000) table.fail("points", "an integer from 2 to 100000");
     profile.x = table.string("x");
     profile.y = table.string("y");
-    profile.divide_by = table.quantity_or("divide_by", dimension_of(profile.observable.quantity), 1);
+    profile.divide_by = table.quantity_or("divide_by", info_of(profile.observable.quantity, quantities()).dimension, 1);
     if (!(profile.divide_by > 0)) table.fail("divide_by", "a positive quantity");
     profile.reach = table.quantity_or("reach", dimension::length, 0);
     try {

@@ -7,6 +7,9 @@ namespace cleave::validation {
 /// Reads one [[check]] of a case. Throws InputError.
 Check read_check(TableReader& table, const std::map<std::string, SolutionCall>& defaults, const Case& of);
 
+/// Reads one [[check]] of a case with a [study]. Throws InputError.
+Check read_study_check(TableReader& table, const StudyInfo& study);
+
 /// Reads one [[profile]] of a case. Throws InputError.
 Profile read_profile(TableReader& table, const std::map<std::string, SolutionCall>& defaults, const Case& of);
 
@@ -16,7 +19,7 @@ const std::vector<std::string>& solver_names();
 /// True for quantities of the whole body, which have neither component nor place.
 bool is_scalar(const std::string& quantity);
 
-/// The quantities that checks may name, each with its SI dimension.
-const std::vector<std::pair<std::string, Dimension>>& quantities();
+/// The quantities that checks of a body may name, each with its SI dimension.
+const std::vector<QuantityInfo>& quantities();
 
 }  // namespace cleave::validation

@@ -5,6 +5,7 @@
 #include "validation/case_checks.hpp"
 #include "validation/profile.hpp"
 #include "validation/solutions.hpp"
+#include "validation/study_runner.hpp"
 
 #include <fmt/format.h>
 
@@ -36,7 +37,7 @@ std::vector<Row> empty_rows(const Check& check, const Case& of) {
             row.tier = of.tier;
             row.quantity = check.observable.quantity;
             row.component = check.observable.component;
-            row.unit = unit_name(check.unit);
+            row.unit = check.angle ? "deg" : unit_name(check.unit);
             row.solver = solver;
             row.reference_source = reference_source(check, of);
             row.band = check.band(solver);
@@ -127,15 +128,16 @@ Measurement measure_point(const Check& check, const std::string& solver, const P
 
 Measurement measure_scalar(const Check& check, const std::string& solver, LevelSources& sources) {
     Measurement measurement;
-    measurement.value = sources.get(solver).scalar(check.observable.quantity) / check.divide_by;
+    const auto shown = [&](double value) { return (check.angle ? degrees(value) : value) / check.divide_by; };
+    measurement.value = shown(sources.get(solver).scalar(check.observable.quantity));
     if (check.reference.kind == Reference::Kind::value) measurement.reference = check.reference.value;
     if (check.reference.kind == Reference::Kind::solver)
-        measurement.reference = sources.get(check.reference.source).scalar(check.observable.quantity) / check.divide_by;
+        measurement.reference = shown(sources.get(check.reference.source).scalar(check.observable.quantity));
     if (check.reference.kind == Reference::Kind::solution) {
         const analytic::Field field = make_field(*check.reference.solution, sources.of());
         const auto scalar = field.scalars.find(check.observable.quantity);
         if (scalar == field.scalars.end()) throw std::invalid_argument("a solution that gives the quantity " + check.observable.quantity);
-        measurement.reference = scalar->second / check.divide_by;
+        measurement.reference = shown(scalar->second);
     }
     set_errors(measurement);
     return measurement;
@@ -175,6 +177,14 @@ void conclude(Row& row, bool uniform) {
     row.verdict = judge(row.measurement, row.band, row.must_fail);
 }
 
+void attach(std::vector<Row>& rows, const Profile& profile, const Artifact& artifact) {
+    for (Row& row : rows)
+        if (row.quantity == profile.observable.quantity && !row.must_fail) return row.artifacts.push_back(artifact);
+    if (!rows.empty()) rows.front().artifacts.push_back(artifact);
+}
+
+}  // namespace
+
 Verdict overall(const std::vector<Row>& rows) {
     Verdict verdict = Verdict::info;
     for (const Row& row : rows) {
@@ -184,22 +194,14 @@ Verdict overall(const std::vector<Row>& rows) {
     return verdict;
 }
 
-/// A folder name out of a case's name.
-std::string slug(std::string text) {
+std::string artifact_folder(std::string text) {
     for (char& c : text)
         if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-' && c != '.' && c != '=') c = '_';
     return text;
 }
 
-void attach(std::vector<Row>& rows, const Profile& profile, const Artifact& artifact) {
-    for (Row& row : rows)
-        if (row.quantity == profile.observable.quantity && !row.must_fail) return row.artifacts.push_back(artifact);
-    if (!rows.empty()) rows.front().artifacts.push_back(artifact);
-}
-
-}  // namespace
-
 CaseRun run_case(const Case& of, const RunOptions& options) {
+    if (of.study) return run_study(of, options);
     CaseRun run;
     run.result = {of.name, of.tier, of.about, "", of.parameters, {}, Verdict::info};
     std::vector<std::vector<Row>> rows;
@@ -211,7 +213,7 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
         for (std::size_t c = 0; c < of.checks.size(); ++c) add_step(of.checks[c], rows[c], sources);
         if (size == sizes.back())
             for (std::size_t p = 0; p < of.profiles.size(); ++p)
-                drawn.emplace_back(&of.profiles[p], write_profile(of.profiles[p], fmt::format("{}/profile_{}.csv", slug(of.name), p + 1), options.out, sources));
+                drawn.emplace_back(&of.profiles[p], write_profile(of.profiles[p], fmt::format("{}/profile_{}.csv", artifact_folder(of.name), p + 1), options.out, sources));
         run.solves.insert(run.solves.end(), sources.notes().begin(), sources.notes().end());
         if (options.progress) options.progress(fmt::format("{} size {:.4g} m", of.name, size));
     }

@@ -25,4 +25,10 @@ struct CaseRun {
 /// written below options.out / case name. Throws InputError, EnvironmentError.
 CaseRun run_case(const Case& of, const RunOptions& options);
 
+/// fail if a row fails, pass if one passes and none fails, else info.
+Verdict overall(const std::vector<Row>& rows);
+
+/// A folder's name out of a case's name.
+std::string artifact_folder(std::string case_name);
+
 }  // namespace cleave::validation

@@ -35,6 +35,10 @@ std::string cpu_model() {
     return "unknown";
 }
 
+std::string with_unit(const QuantityInfo& quantity) {
+    return fmt::format("{} [{}]", quantity.name, quantity.angle ? "deg" : unit_name(quantity.dimension));
+}
+
 bool is_path(const std::string& name) { return name.ends_with(".toml") || name.find('/') != std::string::npos; }
 
 std::string tier_and_about(const fs::path& file) {
@@ -108,8 +112,15 @@ std::string listing() {
         text += fmt::format("  {:24} {}{}\n", solution.name, solution.about, keys.empty() ? "" : fmt::format("; keys: {}", fmt::join(keys, ", ")));
     }
     text += fmt::format("\nsolvers: {}\nquantities:", fmt::join(solver_names(), ", "));
-    for (const auto& [name, dimension] : quantities()) text += fmt::format(" {} [{}]", name, unit_name(dimension));
-    return text + "\n";
+    for (const QuantityInfo& quantity : quantities()) text += fmt::format(" {}", with_unit(quantity));
+    text += "\n\nstudies ([study]):\n";
+    for (const StudyInfo& study : studies()) {
+        text += fmt::format("  {:24} {}\n  {:24}   keys: {}; methods: {}\n  {:24}   quantities:", study.name, study.about, "",
+                            study.keys.empty() ? "none" : fmt::format("{}", fmt::join(study.keys, ", ")), fmt::join(study.methods, ", "), "");
+        for (const QuantityInfo& quantity : study.quantities) text += fmt::format(" {}", with_unit(quantity));
+        text += "\n";
+    }
+    return text;
 }
 
 std::string provenance_json(const std::string& level) {

@@ -2,20 +2,13 @@
 
 #include "validation/case.hpp"
 #include "validation/samples.hpp"
+#include "validation/solve_note.hpp"
 
 #include <map>
 #include <memory>
 #include <string>
 
 namespace cleave::validation {
-
-/// One solve, for the record in timings.json.
-struct SolveNote {
-    std::string solver, method;
-    long cells = 0, dofs = 0;
-    int iterations = 0;
-    double residual = 0, seconds = 0;
-};
 
 /// Finite elements on the case's body: `solver` is fem.p1 or fem.p2. Throws InputError (a region without a material, an
 /// unconstrained body, an inverted tet), naming the case's file.

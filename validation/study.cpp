@@ -1,0 +1,23 @@
+#include "validation/study.hpp"
+
+#include "validation/studies/kernel_properties.hpp"
+
+namespace cleave::validation {
+
+const std::vector<StudyInfo>& studies() {
+    static const std::vector<StudyInfo> list{
+        kernel_properties_study(),
+    };
+    return list;
+}
+
+const StudyInfo& study_info(TableReader& study) {
+    std::vector<std::string> names;
+    for (const StudyInfo& info : studies()) names.push_back(info.name);
+    const std::string name = study.choice("name", names);
+    for (const StudyInfo& info : studies())
+        if (info.name == name) return info;
+    study.fail("name", "a known study");
+}
+
+}  // namespace cleave::validation

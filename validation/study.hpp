@@ -1,0 +1,67 @@
+#pragma once
+
+#include "solver/input/table_reader.hpp"
+#include "validation/results.hpp"
+#include "validation/solve_note.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace cleave::validation {
+
+inline double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+/// A quantity that checks may name. Angles are computed in radians, and read, judged and shown in degrees.
+struct QuantityInfo {
+    std::string name;
+    Dimension dimension;
+    bool angle = false;
+};
+
+/// One number that a study measured, SI. Several with the same quantity, method and place form a ladder, coarse to fine.
+struct StudyValue {
+    std::string quantity, method, place;
+    double value = 0;
+    Resolution resolution{};
+};
+
+struct StudyOutcome {
+    std::vector<StudyValue> values;
+    std::vector<Artifact> artifacts;
+    std::vector<SolveNote> solves;
+};
+
+struct StudyContext {
+    std::string level;                                     ///< quick or full
+    std::filesystem::path out;                             ///< folder of the results; artifacts are named relative to it
+    std::filesystem::path meshes;                          ///< cache of meshes
+    std::string folder;                                    ///< of this case's artifacts, below `out`
+    std::function<void(const std::string&)> progress;      ///< one line per finished part; may be empty
+};
+
+/// A case that is not one body, meshed and solved: it measures what it likes, the case's checks judge. Written by [study] in a case file.
+class Study {
+public:
+    virtual ~Study() = default;
+    /// Throws InputError, EnvironmentError.
+    virtual StudyOutcome run(const StudyContext& context) const = 0;
+};
+
+struct StudyInfo {
+    std::string name, about;
+    std::vector<std::string> keys;             ///< of [study], for `validate --list`
+    std::vector<QuantityInfo> quantities;
+    std::vector<std::string> methods;          ///< what a check's `solver` may name
+    std::shared_ptr<const Study> (*read)(TableReader&);  ///< reads the keys of [study]; throws InputError
+};
+
+const std::vector<StudyInfo>& studies();
+
+/// The study that `name` in [study] names. Throws InputError.
+const StudyInfo& study_info(TableReader& study);
+
+}  // namespace cleave::validation

@@ -21,10 +21,11 @@ struct HalfSpaceOptions {
     int most_directions = 4096;  ///< of a full turn; points so shallow that they would need more are extrapolated from deeper ones
 };
 
+class StrohField;
 class StrohTable;
 
-/// A half-space of one material under one direction of its surface: what contacts can share. Making it is cheap; the Stroh eigenvectors
-/// of each direction are found when a field first needs them and kept (about 20 us per direction). Safe to share between threads.
+/// A half-space of one material under one direction of its surface: what contacts can share. Where the closed forms do, making it is
+/// cheap; else the Stroh eigenvectors of each direction are found when a field first needs them and kept. Safe to share between threads.
 class HalfSpace {
 public:
     /// `stiffness` in Pa, in the axes of `inward`. Throws std::invalid_argument: closed form of an anisotropic stiffness, no normal.
@@ -36,7 +37,7 @@ public:
     bool isotropic() const { return isotropic_; }
     double shear_modulus() const { return shear_modulus_; }    ///< Pa, of an isotropic material
     double poisson_ratio() const { return poisson_ratio_; }
-    const StrohTable& stroh() const { return *stroh_; }
+    std::shared_ptr<const StrohTable> stroh_table() const { return stroh_table_; }  ///< in surface_axes(inward)
 
 private:
     material::Stiffness stiffness_;
@@ -44,7 +45,7 @@ private:
     HalfSpaceOptions options_;
     bool isotropic_ = false;
     double shear_modulus_ = 0, poisson_ratio_ = 0;
-    std::shared_ptr<const StrohTable> stroh_;
+    std::shared_ptr<const StrohTable> stroh_table_;
 };
 
 /// True where a stiffness equals that of an isotropic material to `tolerance` of its largest entry.
@@ -63,7 +64,7 @@ public:
     Eigen::Matrix3d gradient(const Eigen::Vector3d& position) const;           ///< du_a / dx_b
     material::Voigt stress(const Eigen::Vector3d& position) const;             ///< Pa
 
-    /// Displacements of many places at once: the same numbers, faster.
+    /// Displacements of many places.
     void displacements(std::span<const Eigen::Vector3d> positions, std::span<Eigen::Vector3d> displacement) const;
 
     const ContactLoad& load() const { return load_; }
@@ -77,6 +78,7 @@ private:
     Eigen::Matrix3d axes_;            // columns: tangents, inward normal
     Eigen::Vector3d local_force_;
     bool closed_ = false;
+    std::shared_ptr<const StrohField> stroh_;  // where not closed
 };
 
 /// Field of one contact, for a single use.

@@ -7,9 +7,9 @@ namespace cleave::fracture {
 
 /// What decides about a crack at one place: the largest principal value and its direction, the crack's normal.
 struct Principal {
-    double value = 0;                                       ///< Pa (stress) or 1 (strain), the largest principal value
-    Eigen::Vector3d direction = Eigen::Vector3d::UnitX();   ///< unit; the sign that makes its largest component positive
-    double gap = 0;                                         ///< (largest - second) / |tensor|, Frobenius: 0 undefined, 1 uniaxial; 0 for a zero tensor
+    double value = 0;                                      ///< Pa (stress) or 1 (strain), the largest principal value
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< unit; the sign that makes its largest component positive
+    double gap = 0;                                        ///< (largest - second) / Frobenius norm: 0 undefined, 1 uniaxial
 };
 
 /// Of a symmetric tensor.

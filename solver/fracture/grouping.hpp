@@ -8,7 +8,7 @@
 
 namespace cleave::fracture {
 
-/// The neighbourhood of an analysed point, seen from the point.
+/// One particle of the neighbourhood of an analysed point.
 struct Neighbour {
     Eigen::Vector3d r;  ///< m, from the analysed point
     double volume;      ///< m^3
@@ -17,19 +17,21 @@ struct Neighbour {
 /// Frame of the analysed point.
 struct PointFrame {
     Eigen::Vector3d normal;   ///< unit, into the body
-    Eigen::Vector3d tangent;  ///< zero, or where the tangential load points: azimuth zero lies there
+    Eigen::Vector3d tangent;  ///< azimuth zero: where the tangential load points; zero without one
 };
 
-/// Divides the neighbours into `groups` sets by the rule (lines 10 and 11), as evenly as their number allows where the rule sorts
-/// (azimuth, distance). Each set lists positions in `neighbours`, ascending. Sets may be empty where there are fewer neighbours than groups.
+/// Divides the neighbours into N = `groups` sets (Algorithm 1, lines 10 and 11). Each set lists places in `neighbours`, ascending; sets
+/// stay empty where there are fewer neighbours than groups.
 ///
-///   distance  sorted by |r|, N shells of equal count: the paper
-///   azimuth   sorted by the angle about the normal, N sectors of equal count; the middle of the first is azimuth zero: the tangential
-///             load, without one the direction of the neighbours' largest extent across the normal
-///   k_means   Lloyd's iteration on r; seeds: the neighbour farthest from the mean, then always the one farthest from the seeds chosen
-///             (Gonzalez 1985)
+///   distance  sorted by |r|: N shells of equal count (`paper`)
+///   azimuth   sorted by the angle about the normal from -pi/N on: N sectors of equal count, azimuth zero about the middle of the first.
+///             Without a tangential load azimuth zero is the direction of the neighbours' largest extent across the normal, towards the
+///             side where they reach farther
+///   k_means   Lloyd's iteration on r, weighted by volume. Seeds: the neighbour farthest from the mean, then always the one farthest
+///             from the seeds so far (Gonzalez 1985)
 ///
-/// Depends on the places only, never on their order: equal keys are settled by the coordinates.
+/// Depends on the places only, to the bit, not on their order: neighbours are visited, and equal keys settled, by their coordinates.
+/// Throws std::invalid_argument where groups < 1.
 std::vector<std::vector<int>> divide(const std::vector<Neighbour>& neighbours, const PointFrame& frame, Grouping rule, int groups);
 
 }  // namespace cleave::fracture

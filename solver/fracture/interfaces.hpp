@@ -5,29 +5,29 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace cleave::fracture {
 
 /// A triangle between particles of two materials.
 struct InterfaceFace {
-    std::array<Eigen::Vector3d, 3> corner;  ///< m
+    std::array<Eigen::Vector3d, 3> corner;  ///< m; (b - a) x (c - a) points from the first material into the second
     std::array<int, 2> particle;            ///< tets on its sides
-    std::array<int, 2> material;            ///< of each side
+    std::array<int, 2> material;            ///< theirs
 };
 
-/// Faces between tets of different material (index per tet, Solid::material), by ascending half face. For bodies cut since, call again with
-/// their mesh.
+/// Faces between linked tets of different material (an index per tet, as Solid::material), by ascending half face. To be made anew for
+/// the mesh of a cut body.
 std::vector<InterfaceFace> interface_faces(const mesh::TetMesh& mesh, const std::vector<int>& material);
 
-/// Where a disc first meets the material's border: of the points of the faces' cuts with the disc the nearest to its centre.
+/// Where a crack first meets another material.
 struct InterfaceHit {
-    Eigen::Vector3d position;  ///< m
-    int to = 0;                ///< material beyond
+    Eigen::Vector3d position;  ///< m: of all cuts of the disc with faces to that material the point nearest to the disc's centre
+    Eigen::Vector3d normal;    ///< unit, of the interface there, into the other material
+    int to = 0;                ///< the other material
 };
 
-/// One hit for each other material that the disc reaches out of material `from`, ascending by `to`.
+/// One hit for each material that a disc reaches out of material `from`, ascending by `to`. normal: unit; radius in m.
 std::vector<InterfaceHit> interface_hits(const std::vector<InterfaceFace>& faces, int from, const Eigen::Vector3d& centre,
                                          const Eigen::Vector3d& normal, double radius);
 

@@ -14,8 +14,8 @@ double proportional_radius(double energy, double toughness, double thickness, do
 
 /// Eq. 11 solved instead of scaled, G(a) = G_c, for a penny crack that a force F (N) pulls open at its centre, the far form of any local
 /// tension: K = F / (pi a)^(3/2) (Tada, Paris, Irwin 2000), G = K^2 / E', so a = (F^2 / (pi^3 E' G_c))^(1/3), m. G falls with a, so the
-/// crack rests there; the radius goes with the cube root of the energy, not with the energy. E' (Pa): E / (1 - nu^2), or effective_modulus()
-/// of crack_tip.hpp. At most `cap`.
+/// crack rests there; the radius goes with the cube root of the energy, not with the energy. E' (Pa): E / (1 - nu^2), or
+/// effective_modulus() of crack_tip.hpp. At most `cap`.
 double wedged_radius(double force, double toughness, double modulus, double cap);
 
 /// Radius inside which the energy density of the contact exceeds the limit, Sect. 4.2: energy U (J) spread by the poly6 kernel of support
@@ -37,7 +37,7 @@ struct EquilibriumRadius {
 
 /// Griffith's balance G(a) = G_c of a crack that starts at radius `start` and may grow to `largest` (m): grows while G(a) >= G_c, rests at
 /// the first a where G falls below. `release_rate` is evaluated at `samples` radii, geometrically spaced, then by bisection to 1e-6.
-EquilibriumRadius equilibrium_radius(const std::function<double(double radius)>& release_rate, double toughness, double start, double largest,
-                                     int samples = 32);
+EquilibriumRadius equilibrium_radius(const std::function<double(double radius)>& release_rate, double toughness, double start,
+                                     double largest, int samples = 32);
 
 }  // namespace cleave::fracture

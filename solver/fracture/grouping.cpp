@@ -1,0 +1,154 @@
+#include "solver/fracture/grouping.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+namespace cleave::fracture {
+
+namespace {
+
+using Order = std::vector<int>;  // places in `neighbours`, sorted
+using Sets = std::vector<std::vector<int>>;
+
+bool before(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
+/// The order that all sums and all ties go by: it does not know the particles' numbers.
+Order by_coordinates(const std::vector<Neighbour>& neighbours) {
+    Order order(neighbours.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return before(neighbours[a].r, neighbours[b].r); });
+    return order;
+}
+
+/// `order` by ascending key, cut into sets whose counts differ by one at most.
+Sets cut_evenly(Order order, const std::vector<double>& key, int groups) {
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return key[a] < key[b]; });
+    Sets sets(groups);
+    const std::size_t count = order.size();
+    for (std::size_t g = 0; g < sets.size(); ++g) {
+        sets[g].assign(order.begin() + g * count / groups, order.begin() + (g + 1) * count / groups);
+        std::sort(sets[g].begin(), sets[g].end());
+    }
+    return sets;
+}
+
+/// Any unit vector across `normal`.
+Eigen::Vector3d across(const Eigen::Vector3d& normal) {
+    Eigen::Index least = 0;
+    normal.cwiseAbs().minCoeff(&least);
+    return normal.cross(Eigen::Vector3d::Unit(least)).normalized();
+}
+
+/// Where the neighbours reach farthest across the normal: the larger axis of their second moments, on the side of the larger third moment.
+Eigen::Vector3d widest_direction(const std::vector<Neighbour>& neighbours, const Order& order, const Eigen::Vector3d& normal) {
+    const Eigen::Vector3d e1 = across(normal), e2 = normal.cross(e1);
+    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+    for (const int k : order) {
+        const Eigen::Vector2d flat(neighbours[k].r.dot(e1), neighbours[k].r.dot(e2));
+        second += neighbours[k].volume * flat * flat.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(second);
+    const Eigen::Vector3d axis = solver.eigenvectors()(0, 1) * e1 + solver.eigenvectors()(1, 1) * e2;
+    double third = 0;
+    for (const int k : order) third += neighbours[k].volume * std::pow(neighbours[k].r.dot(axis), 3);
+    return third < 0 ? Eigen::Vector3d(-axis) : axis;
+}
+
+Eigen::Vector3d azimuth_zero(const std::vector<Neighbour>& neighbours, const Order& order, const PointFrame& frame) {
+    const Eigen::Vector3d tangent = frame.tangent - frame.tangent.dot(frame.normal) * frame.normal;
+    return tangent.norm() > 1e-9 ? Eigen::Vector3d(tangent.normalized()) : widest_direction(neighbours, order, frame.normal);
+}
+
+std::vector<double> azimuths(const std::vector<Neighbour>& neighbours, const Order& order, const PointFrame& frame, int groups) {
+    const double turn = 2 * std::numbers::pi;
+    const Eigen::Vector3d zero = azimuth_zero(neighbours, order, frame), side = frame.normal.cross(zero);
+    std::vector<double> key;
+    for (const Neighbour& neighbour : neighbours) {
+        const double from_start = std::atan2(neighbour.r.dot(side), neighbour.r.dot(zero)) + std::numbers::pi / groups;
+        key.push_back(from_start - turn * std::floor(from_start / turn));
+    }
+    return key;
+}
+
+std::vector<double> distances(const std::vector<Neighbour>& neighbours) {
+    std::vector<double> key;
+    for (const Neighbour& neighbour : neighbours) key.push_back(neighbour.r.norm());
+    return key;
+}
+
+Eigen::Vector3d mean_place(const std::vector<Neighbour>& neighbours, const Order& order) {
+    double volume = 0;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const int k : order) {
+        volume += neighbours[k].volume;
+        sum += neighbours[k].volume * neighbours[k].r;
+    }
+    return sum / volume;
+}
+
+/// Gonzalez' seeds; fewer than `groups` where there are fewer places.
+std::vector<Eigen::Vector3d> far_seeds(const std::vector<Neighbour>& neighbours, const Order& order, int groups) {
+    std::vector<Eigen::Vector3d> seeds;
+    std::vector<double> nearest(neighbours.size(), std::numeric_limits<double>::infinity());
+    Eigen::Vector3d last = mean_place(neighbours, order);
+    while (static_cast<int>(seeds.size()) < groups) {
+        int farthest = order.front();
+        for (const int k : order) {
+            const double distance = (neighbours[k].r - last).squaredNorm();
+            nearest[k] = seeds.empty() ? distance : std::min(nearest[k], distance);
+            if (nearest[k] > nearest[farthest]) farthest = k;
+        }
+        if (!seeds.empty() && !(nearest[farthest] > 0)) break;
+        if (seeds.empty()) std::fill(nearest.begin(), nearest.end(), std::numeric_limits<double>::infinity());
+        last = neighbours[farthest].r;
+        seeds.push_back(last);
+    }
+    return seeds;
+}
+
+int nearest_centre(const std::vector<Eigen::Vector3d>& centres, const Eigen::Vector3d& place) {
+    int best = 0;
+    for (std::size_t c = 1; c < centres.size(); ++c)
+        if ((centres[c] - place).squaredNorm() < (centres[best] - place).squaredNorm()) best = static_cast<int>(c);
+    return best;
+}
+
+Sets k_means(const std::vector<Neighbour>& neighbours, const Order& order, int groups) {
+    constexpr int rounds = 100;  // assignments of some hundred places settle in about ten
+    std::vector<Eigen::Vector3d> centres = far_seeds(neighbours, order, groups);
+    Sets sets(groups), previous;
+    for (int round = 0; round < rounds && sets != previous; ++round) {
+        previous = std::move(sets);
+        sets.assign(groups, {});
+        for (const int k : order) sets[nearest_centre(centres, neighbours[k].r)].push_back(k);
+        for (std::size_t c = 0; c < centres.size(); ++c)
+            if (!sets[c].empty()) centres[c] = mean_place(neighbours, sets[c]);
+    }
+    for (auto& set : sets) std::sort(set.begin(), set.end());
+    return sets;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> divide(const std::vector<Neighbour>& neighbours, const PointFrame& frame, Grouping rule, int groups) {
+    if (groups < 1) throw std::invalid_argument("at least one group");
+    if (neighbours.empty()) return Sets(groups);
+    const Order order = by_coordinates(neighbours);
+    switch (rule) {
+        case Grouping::distance: return cut_evenly(order, distances(neighbours), groups);
+        case Grouping::azimuth: return cut_evenly(order, azimuths(neighbours, order, frame, groups), groups);
+        case Grouping::k_means: return k_means(neighbours, order, groups);
+    }
+    return {};
+}
+
+}  // namespace cleave::fracture

@@ -2,16 +2,13 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
-#include "validation/runner.hpp"
-#include "validation/timings.hpp"
+#include "validation/run_suite.hpp"
 #include "validation/suite.hpp"
+#include "validation/timings.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <unistd.h>
-
-#include <chrono>
 #include <cstdio>
 
 namespace cleave::validation {
@@ -20,7 +17,8 @@ namespace {
 struct Arguments {
     std::vector<std::string> names, sets;
     std::string level = "quick", ladder, out = "out/validate", shard, compare;
-    bool list = false;
+    bool list = false, reuse = false;
+    int jobs = 1;
 };
 
 Overrides overrides_of(const Arguments& arguments) {
@@ -66,45 +64,16 @@ void print(const CaseResult& result) {
     std::fflush(stdout);
 }
 
-/// A bar with the remaining time on a terminal, a plain line elsewhere; on stderr, so that stdout holds results only.
-class Progress {
-public:
-    explicit Progress(std::size_t total) : total_(total), terminal_(isatty(STDERR_FILENO) != 0) {}
-    void step(const std::string& what) {
-        const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        ++done_;
-        const double left = elapsed / static_cast<double>(done_) * static_cast<double>(total_ - std::min(done_, total_));
-        if (terminal_) {
-            const std::size_t filled = 30 * std::min(done_, total_) / total_;
-            fmt::print(stderr, "\r\033[K[{:-<30}] {:.0f} s left  {}", std::string(filled, '#'), left, what);
-            if (done_ >= total_) fmt::print(stderr, "\r\033[K");
-        } else {
-            fmt::print(stderr, "{}/{} {}\n", done_, total_, what);
-        }
-    }
-
-private:
-    std::size_t total_, done_ = 0;
-    bool terminal_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 int run(const Arguments& arguments) {
     const std::vector<Case> cases = read_all(arguments);
-    std::size_t steps = 0;
-    for (const Case& one : cases) steps += one.sizes(arguments.level).size();
-    Progress progress(std::max<std::size_t>(1, steps));
-    const RunOptions options{arguments.level, arguments.out, [&](const std::string& line) { progress.step(line); }};
     std::vector<CaseResult> results;
     Timings timings;
-    for (const Case& one : cases) {
-        const auto start = std::chrono::steady_clock::now();
-        CaseRun done = run_case(one, options);
-        done.result.command = command_of(one, arguments);
-        timings.add(one.name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), done.solves);
-        print(done.result);
-        results.push_back(std::move(done.result));
-    }
+    run_suite(cases, {arguments.level, arguments.out, arguments.jobs, arguments.reuse}, [&](std::size_t i, FinishedCase& finished) {
+        finished.result.command = command_of(cases[i], arguments);
+        timings.add(cases[i].name, finished.seconds, finished.solves);
+        print(finished.result);
+        results.push_back(finished.result);
+    });
     const std::filesystem::path out = arguments.out;
     write_file_atomic(out / "timings.json", timings.json());
     write_file_atomic(out / "provenance.json", provenance_json(arguments.level));
@@ -125,6 +94,8 @@ int body(int argc, char** argv) {
     app.add_option("--ladder", arguments.ladder, "sizes instead of the case's own, like 0.2,0.1");
     app.add_option("--set", arguments.sets, "replace a value: KEY=VALUE with a dotted key")->allow_extra_args(false);
     app.add_option("--out", arguments.out, "folder of the results");
+    app.add_option("--jobs", arguments.jobs, "cases that run at the same time")->check(CLI::Range(1, 1024));
+    app.add_flag("--reuse", arguments.reuse, "keep the finished cases of an earlier, perhaps interrupted, run into the same folder");
     app.add_option("--shard", arguments.shard, "I/N: every N-th case, starting with the I-th");
     app.add_option("--compare", arguments.compare, "an earlier results.json: print what drifted");
     app.add_flag("--list", arguments.list, "cases, shapes, solutions, solvers, quantities");
@@ -141,7 +112,11 @@ int body(int argc, char** argv) {
         fmt::print("{}", listing());
         return 0;
     }
-    return run(arguments);
+    try {
+        return run(arguments);
+    } catch (const SuiteFailed& failed) {
+        return failed.exit_code;
+    }
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "validation/results_json.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -12,55 +12,7 @@ namespace cleave::validation {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// JSON has no NaN: an undefined number is null.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-Json number(const std::optional<double>& value) { return value ? number(*value) : Json(); }
-
-Json band_json(const Band& band) {
-    if (band.empty()) return nullptr;
-    Json json = Json::object();
-    if (band.relative) json["relative"] = *band.relative;
-    if (band.absolute) json["absolute"] = *band.absolute;
-    if (band.order_at_least) json["order_at_least"] = *band.order_at_least;
-    return json;
-}
-
-Json resolution_json(const Resolution& resolution) {
-    Json json{{"size", number(resolution.size)}, {"unit", "m"}};
-    if (resolution.particles > 0) json["particles"] = resolution.particles;
-    if (resolution.dofs > 0) json["dofs"] = resolution.dofs;
-    return json;
-}
-
 double error_of(const Row& row) { return row.relative ? row.measurement.relative_error : row.measurement.absolute_error; }
-
-Json row_json(const Row& row) {
-    Json json{{"case", row.case_name}, {"tier", row.tier}, {"quantity", row.quantity}, {"component", row.component}, {"unit", row.unit},
-              {"place", row.place}, {"solver", row.solver}, {"resolution", resolution_json(row.resolution)},
-              {"value", number(row.measurement.value)}, {"reference", number(row.measurement.reference)},
-              {"reference_source", row.reference_source}, {"error", number(error_of(row))},
-              {"error_kind", row.relative ? "relative" : "absolute"}, {"band", band_json(row.band)}, {"basis", row.basis},
-              {"order", number(row.measurement.order)}, {"must_fail", row.must_fail}, {"verdict", name(row.verdict)}};
-    json["ladder"] = Json::array();
-    for (const LadderStep& step : row.ladder) {
-        Json entry = resolution_json(step.resolution);
-        entry["error"] = number(step.error);
-        json["ladder"].push_back(entry);
-    }
-    json["artifacts"] = Json::array();
-    for (const Artifact& a : row.artifacts) json["artifacts"].push_back({{"file", a.file}, {"title", a.title}, {"x", a.x}, {"y", a.y}});
-    return json;
-}
-
-Json case_json(const CaseResult& result) {
-    Json json{{"name", result.name}, {"tier", result.tier}, {"about", result.about}, {"command", result.command},
-              {"parameters", result.parameters}, {"verdict", name(result.verdict)}};
-    json["checks"] = Json::array();
-    for (const Row& row : result.rows) json["checks"].push_back(row_json(row));
-    return json;
-}
 
 std::string csv_cell(const std::string& text) {
     if (text.find_first_of(",\"\n") == std::string::npos) return text;

@@ -1,6 +1,6 @@
 #include "validation/timings.hpp"
 
-#include <nlohmann/json.hpp>
+#include "validation/results_json.hpp"
 
 namespace cleave::validation {
 
@@ -9,13 +9,14 @@ void Timings::add(const std::string& case_name, double seconds, const std::vecto
 }
 
 std::string Timings::json() const {
-    nlohmann::ordered_json json{{"cases", nlohmann::ordered_json::object()}, {"solves", nlohmann::ordered_json::array()}};
+    Json json{{"cases", Json::object()}, {"solves", Json::array()}};
     for (const Entry& entry : entries_) {
         json["cases"][entry.name] = {{"seconds", entry.seconds}};
-        for (const SolveNote& note : entry.solves)
-            json["solves"].push_back({{"case", entry.name}, {"solver", note.solver}, {"method", note.method}, {"cells", note.cells},
-                                      {"dofs", note.dofs}, {"iterations", note.iterations}, {"relative_residual", note.residual},
-                                      {"seconds", note.seconds}});
+        for (const SolveNote& note : entry.solves) {
+            Json solve{{"case", entry.name}};
+            solve.update(note_json(note));
+            json["solves"].push_back(std::move(solve));
+        }
     }
     return json.dump(1) + "\n";
 }

@@ -37,6 +37,7 @@ public:
         if (key == "mesh_size") return size_;  // edge of the regular tet of mean volume
         throw std::invalid_argument(fmt::format("one of mesh_size (not '{}')", key));
     }
+    std::vector<std::filesystem::path> input_files() const override { return {body_.mesh_file}; }
     bool uniform_refinement() const override { return false; }
     std::vector<std::string> surface_names() const override {
         std::vector<std::string> names;

@@ -43,6 +43,8 @@ public:
     virtual std::optional<CrackGrowth> crack_growth() const { return std::nullopt; }
     /// True where a smaller size refines every part of the mesh alike, so that an observed order means something.
     virtual bool uniform_refinement() const = 0;
+    /// Files that the body is made from: a change of theirs is a change of the case.
+    virtual std::vector<std::filesystem::path> input_files() const { return {}; }
     /// Names that loads may use in `on`.
     virtual std::vector<std::string> surface_names() const = 0;
 };

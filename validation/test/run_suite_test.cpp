@@ -1,0 +1,123 @@
+#include "validation/run_suite.hpp"
+
+#include "solver/input/file_io.hpp"
+#include "solver/input/input_error.hpp"
+#include "validation/processes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+
+namespace cleave::validation {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One number; says in a file of the folder that it was run.
+class Counted final : public Study {
+public:
+    explicit Counted(double value) : value_(value) {}
+    StudyOutcome run(const StudyContext& context) const override {
+        if (value_ < 0) throw InputError("negative.toml", "value", "a positive number");
+        const fs::path log = context.out / (context.folder + ".runs");
+        write_file_atomic(log, (fs::exists(log) ? read_file(log) : "") + "x");
+        StudyOutcome outcome;
+        outcome.values.push_back({"length", "rule", "", value_});
+        return outcome;
+    }
+
+private:
+    double value_;
+};
+
+Case counted(const std::string& name, double value) {
+    Check check;
+    check.observable.quantity = "length";
+    check.unit = dimension::length;
+    check.solvers = {"rule"};
+    check.where = "check[0]";
+    check.reference = {Reference::Kind::value, 1.0 / 3, "a third", std::nullopt};
+    check.bands[""].relative = 1e-6;
+    check.basis = "a test";
+    Case one;
+    one.name = name;
+    one.file = name + ".toml";
+    one.tier = "verification";
+    one.study = std::make_shared<Counted>(value);
+    one.checks = {check};
+    one.ladder = {{"quick", {0}}};
+    one.text = name;
+    return one;
+}
+
+std::vector<Case> five() {
+    std::vector<Case> cases;
+    for (int i = 0; i < 5; ++i) cases.push_back(counted("case_" + std::to_string(i), 1.0 / (3 + i)));
+    return cases;
+}
+
+class RunSuite : public testing::Test {
+protected:
+    void SetUp() override { fs::remove_all(out_); }
+    void TearDown() override { fs::remove_all(out_); }
+    std::string json(const std::vector<Case>& cases, int jobs, bool reuse) const {
+        std::vector<CaseResult> results;
+        std::vector<std::size_t> order;
+        run_suite(cases, {"quick", out_, jobs, reuse}, [&](std::size_t i, FinishedCase& one) {
+            order.push_back(i);
+            results.push_back(one.result);
+        });
+        EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+        return results_json(results, "quick");
+    }
+    std::string runs(const std::string& name) const {
+        const fs::path log = out_ / (name + ".runs");
+        return fs::exists(log) ? read_file(log) : "";
+    }
+    fs::path out_ = fs::path(testing::TempDir()) / "cleave_run_suite_test";
+};
+
+TEST_F(RunSuite, AnyNumberOfProcessesGivesTheSameBytes) {
+    const std::string alone = json(five(), 1, false);
+    EXPECT_EQ(json(five(), 3, false), alone);
+    EXPECT_EQ(json(five(), 8, false), alone);
+    EXPECT_NE(alone.find("\"pass\": 1"), std::string::npos) << alone;
+    EXPECT_EQ(runs("case_4"), "xxx") << "each run anew";
+}
+
+TEST_F(RunSuite, FinishedCasesAreNotRunAgainUnlessTheirInputChanged) {
+    std::vector<Case> cases = five();
+    const std::string first = json({cases[0], cases[1]}, 2, true);
+    const std::string all = json(cases, 2, true);
+    EXPECT_EQ(runs("case_0"), "x");
+    EXPECT_EQ(runs("case_4"), "x");
+    cases[0].text += " changed";
+    EXPECT_EQ(json(cases, 1, true), all);
+    EXPECT_EQ(runs("case_0"), "xx");
+    EXPECT_EQ(runs("case_1"), "x");
+    write_file_atomic(out_ / "cases" / "case_2.json", "{ \"schema\": ");
+    EXPECT_EQ(json(cases, 1, true), all);
+    EXPECT_EQ(runs("case_2"), "xx") << "a broken file does not count";
+}
+
+TEST_F(RunSuite, OneFailureIsTheExitCodeOfAll) {
+    std::vector<Case> cases = five();
+    cases.insert(cases.begin() + 2, counted("negative", -1));
+    try {
+        json(cases, 2, false);
+        FAIL() << "no failure";
+    } catch (const SuiteFailed& failed) {
+        EXPECT_EQ(failed.exit_code, 2);
+    }
+    EXPECT_THROW(json(cases, 1, false), InputError);
+}
+
+TEST(Processes, AnEndBySignalIsABug) {
+    EXPECT_EQ(run_in_processes(4, 2, [](std::size_t i) { if (i == 1) ::raise(SIGKILL); }), static_cast<int>(ExitCode::bug));
+    EXPECT_EQ(run_in_processes(4, 2, [](std::size_t) {}), 0);
+}
+
+}  // namespace
+}  // namespace cleave::validation

@@ -1,4 +1,5 @@
 #include "reference_fem/discretization_impl.hpp"
+#include "reference_fem/vector3.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -104,6 +105,14 @@ unsigned int face_opposite(const dealii::DoFHandler<3>::active_cell_iterator& ce
     throw std::logic_error("a tet without a face opposite a vertex");
 }
 
+/// Stress times normal.
+Point times(const Voigt& stress, const Point& normal) {
+    Point force{};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) force[i] += stress[voigt_index(i, j)] * normal[j];
+    return force;
+}
+
 void add_surface_loads(const Discretization::Impl& space, const LocalNumbers& local, const std::vector<SurfaceLoad>& loads,
                        std::vector<double>& load) {
     FEFaceValues<3> values(
@@ -118,8 +127,9 @@ void add_surface_loads(const Discretization::Impl& space, const LocalNumbers& lo
             cell->get_dof_indices(dofs);
             values.reinit(static_cast<dealii::Triangulation<3>::cell_iterator>(cell), face_opposite(cell, face.opposite));
             const auto force = [&](unsigned int q) {
-                return surface.traction ? surface.traction(to_point(values.quadrature_point(q)))
-                                        : to_point(-surface.pressure * values.normal_vector(q));
+                const Point place = to_point(values.quadrature_point(q)), normal = to_point(values.normal_vector(q));
+                if (surface.traction) return surface.traction(place);
+                return surface.stress ? times(surface.stress(place), normal) : -surface.pressure * normal;
             };
             add_load(values, local, dofs, force, load);
         }
@@ -175,17 +185,22 @@ std::vector<std::array<int, 2>> parents_of(const Discretization& space, int cell
 
 }  // namespace
 
-Assembly assemble(const Discretization& space, const std::vector<const Elasticity*>& materials, const VectorField& body_force,
-                  const std::vector<SurfaceLoad>& loads, const PrescribedValues& prescribed) {
+std::vector<double> nodal_loads(const Discretization& space, const VectorField& body_force, const std::vector<SurfaceLoad>& loads) {
+    const Discretization::Impl& impl = space.impl();
+    const LocalNumbers local(impl.element);
+    std::vector<double> load(impl.dofs.n_dofs(), 0.0);
+    if (body_force) add_body_force(impl, local, body_force, load);
+    add_surface_loads(impl, local, loads, load);
+    return load;
+}
+
+Assembly assemble(const Discretization& space, const std::vector<const Elasticity*>& materials, const std::vector<double>& load,
+                  const PrescribedValues& prescribed) {
     const Discretization::Impl& impl = space.impl();
     const LocalNumbers local(impl.element);
     const unsigned int size = impl.dofs.n_dofs();
 
     Assembly result;
-    result.load.assign(size, 0.0);
-    if (body_force) add_body_force(impl, local, body_force, result.load);
-    add_surface_loads(impl, local, loads, result.load);
-
     const AffineConstraints<double> constraints = constraints_of(prescribed);
     dealii::SparsityPattern pattern;
     {
@@ -194,7 +209,7 @@ Assembly assemble(const Discretization& space, const std::vector<const Elasticit
         pattern.copy_from(dynamic);
     }
     dealii::SparseMatrix<double> matrix(pattern);
-    dealii::Vector<double> right_hand_side(result.load.begin(), result.load.end());
+    dealii::Vector<double> right_hand_side(load.begin(), load.end());
 
     FEValues<3> values(impl.mapping, impl.scalar, QGaussSimplex<3>(impl.scalar.degree),
                        dealii::update_gradients | dealii::update_JxW_values);

@@ -10,9 +10,9 @@ using Tensor = std::array<std::array<double, 3>, 3>;
 /// deal.II unrolls symmetric tensors in another order (11, 22, 33, 12, 13, 23) than ours.
 class Elasticity {
 public:
-    /// Throws Error if the stiffness is not finite, symmetric (to 1e-9 of its largest entry) and positive definite; `region` is for the
-    /// message.
-    Elasticity(const Stiffness& stiffness, int region);
+    /// The region's stiffness, turned from its frame into the axes of the mesh. Throws Error if the stiffness is not finite, symmetric (to
+    /// 1e-9 of its largest entry) and positive definite, or if the frame is not orthonormal (to 1e-9) and right-handed.
+    explicit Elasticity(const Region& region);
 
     double operator()(int i, int j, int k, int l) const { return tensor_[i][j][k][l]; }
 
@@ -22,7 +22,7 @@ public:
     Voigt stress(const Voigt& strain) const;
 
 private:
-    Stiffness stiffness_;
+    Stiffness stiffness_{};
     std::array<std::array<Tensor, 3>, 3> tensor_;
 };
 

@@ -38,6 +38,16 @@ public:
                 }
     }
 
+    void add(const LineDisplacement& displacement, const std::vector<BoundaryEdge>& edges) {
+        const std::string name = fmt::format("line of the surfaces {} and {}", displacement.line.first, displacement.line.second);
+        if (!displacement.value) throw Error(fmt::format("{}: a displacement without a value", name));
+        for (const BoundaryEdge& edge : edges)
+            for (const int node : space_.edge_nodes(edge.ends)) {
+                const Point position = node_position(edge.cell, node);
+                add_node(edge.cell, node, position, displacement.components, displacement.value(position), name);
+            }
+    }
+
     void add(const Support& support) {
         int best_cell = 0, best_vertex = 0;
         double best = INFINITY;
@@ -156,6 +166,8 @@ void check_held(const Mesh& mesh, const std::map<int, Prescribed>& by_dof) {
 PrescribedValues prescribe(const Problem& problem, const Mesh& mesh, const FaceTable& faces, const Discretization& space) {
     Collector collector(mesh, space);
     for (const Displacement& displacement : problem.displacements) collector.add(displacement, faces.surface(displacement.surface));
+    for (const LineDisplacement& displacement : problem.line_displacements)
+        collector.add(displacement, faces.line(displacement.line));
     for (const Support& support : problem.supports) collector.add(support);
     collector.check_agreement();
     check_held(mesh, collector.by_dof());

@@ -56,6 +56,13 @@ int Discretization::dofs() const { return static_cast<int>(impl_->dofs.n_dofs())
 
 int Discretization::nodes_per_cell() const { return static_cast<int>(node_barycentrics_.size()); }
 
+std::vector<int> Discretization::edge_nodes(const std::array<int, 2>& ends) const {
+    std::vector<int> nodes{ends[0], ends[1]};  // vertices are the first nodes
+    for (int node = 4; node < nodes_per_cell(); ++node)
+        if (node_barycentrics_[node][ends[0]] > 0 && node_barycentrics_[node][ends[1]] > 0) nodes.push_back(node);
+    return nodes;
+}
+
 void Discretization::shape(const Point& unit, std::span<double> values, std::span<Point> gradients) const {
     const dealii::Point<3> point = to_deal_ii(unit);
     for (unsigned int node = 0; node < impl_->scalar.n_dofs_per_cell(); ++node) {

@@ -33,6 +33,9 @@ public:
     /// Barycentric coordinates of a cell's nodes.
     const std::vector<std::array<double, 4>>& node_barycentrics() const { return node_barycentrics_; }
 
+    /// The nodes of a cell on the edge between two of its vertices: the ends, then at degree 2 the midpoint.
+    std::vector<int> edge_nodes(const std::array<int, 2>& ends) const;
+
     /// Values and reference gradients of the nodes' shape functions at a point of the unit tet.
     void shape(const Point& unit, std::span<double> values, std::span<Point> gradients) const;
 
@@ -49,26 +52,29 @@ private:
     std::vector<std::array<double, 4>> node_barycentrics_;
 };
 
-/// Loads with their surfaces resolved to faces.
+/// Loads with their surfaces resolved to faces; one of traction and stress, or neither for a pressure.
 struct SurfaceLoad {
     std::vector<BoundaryFace> faces;
-    VectorField traction;  ///< Pa; empty for a pressure
+    VectorField traction;  ///< Pa
+    StressField stress;    ///< Pa; acts as stress times outward normal
     double pressure = 0;   ///< Pa
 };
 
 /// Prescribed values by dof; ordered, so that messages and rounding do not depend on a hash.
 using PrescribedValues = std::map<int, double>;
 
+/// Nodal loads, N, of all dofs: int f v + int t v. Throws Error if a load is not finite.
+std::vector<double> nodal_loads(const Discretization& space, const VectorField& body_force, const std::vector<SurfaceLoad>& loads);
+
 /// The linear system of the free dofs.
 struct Assembly {
     SparseSystem system;
     std::vector<int> free_dofs;  ///< dof of each row
-    std::vector<double> load;    ///< N, of all dofs: tractions, pressures and body force, without reactions
 };
 
-/// Assembles int sigma(u) : grad(v) = int f v + int t v (weak form of balance), with prescribed values eliminated.
-/// `materials` holds one entry per cell. Throws Error if a load is not finite.
-Assembly assemble(const Discretization& space, const std::vector<const Elasticity*>& materials, const VectorField& body_force,
-                  const std::vector<SurfaceLoad>& loads, const PrescribedValues& prescribed);
+/// Assembles int sigma(u) : grad(v) = load . v (weak form of balance), with prescribed values eliminated.
+/// `materials` holds one entry per cell.
+Assembly assemble(const Discretization& space, const std::vector<const Elasticity*>& materials, const std::vector<double>& load,
+                  const PrescribedValues& prescribed);
 
 }  // namespace cleave::fem

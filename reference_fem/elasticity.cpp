@@ -1,6 +1,8 @@
 #include "reference_fem/elasticity.hpp"
 
 #include "reference_fem/constraints.hpp"
+#include "reference_fem/inertia_relief.hpp"
+#include "reference_fem/line_loads.hpp"
 #include "reference_fem/solution_data.hpp"
 #include "reference_fem/vector3.hpp"
 
@@ -8,6 +10,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace cleave::fem {
 namespace {
@@ -23,11 +26,12 @@ void check_options(const Options& options) {
 std::vector<SurfaceLoad> loads_of(const Problem& problem, const FaceTable& faces) {
     std::vector<SurfaceLoad> loads;
     for (const Traction& traction : problem.tractions) {
-        if (!traction.value) throw Error(fmt::format("surface {}: a traction without a value", traction.surface));
-        loads.push_back({.faces = faces.surface(traction.surface), .traction = traction.value, .pressure = 0});
+        if (!traction.value && !traction.stress) throw Error(fmt::format("surface {}: a traction without a value", traction.surface));
+        if (traction.value && traction.stress) throw Error(fmt::format("surface {}: a traction with both value and stress", traction.surface));
+        loads.push_back({.faces = faces.surface(traction.surface), .traction = traction.value, .stress = traction.stress, .pressure = 0});
     }
     for (const Pressure& pressure : problem.pressures)
-        loads.push_back({.faces = faces.surface(pressure.surface), .traction = {}, .pressure = pressure.value});
+        loads.push_back({.faces = faces.surface(pressure.surface), .traction = {}, .stress = {}, .pressure = pressure.value});
     return loads;
 }
 
@@ -49,7 +53,7 @@ std::vector<double> gather(const Assembly& assembly, const PrescribedValues& pre
 
 /// Energy and work by their own quadrature of the solution, apart from the matrix.
 /// Nodal internal forces are int sigma_ij phi,j dV; at a prescribed dof that is load plus reaction, elsewhere the load is taken.
-void add_energies(Solution::Data& data, const Assembly& assembly, const PrescribedValues& prescribed) {
+void add_energies(Solution::Data& data, const std::vector<double>& load, const PrescribedValues& prescribed) {
     const ShapeTable table(data.space, data.options.degree);
     std::vector<double> internal(data.displacement.size(), 0.0);
     for (int cell = 0; cell < static_cast<int>(data.mesh.cells.size()); ++cell)
@@ -65,7 +69,15 @@ void add_energies(Solution::Data& data, const Assembly& assembly, const Prescrib
                             weight * sample.stress[voigt_index(i, j)] * local.shape_gradients[node][j];
         }
     for (std::size_t dof = 0; dof < internal.size(); ++dof)
-        data.external_work += (prescribed.contains(static_cast<int>(dof)) ? internal[dof] : assembly.load[dof]) * data.displacement[dof];
+        data.external_work += (prescribed.contains(static_cast<int>(dof)) ? internal[dof] : load[dof]) * data.displacement[dof];
+}
+
+/// The problem of a free body, held where it is convenient.
+Problem held_without_force(Problem problem, const InertiaRelief& relief) {
+    if (!problem.displacements.empty() || !problem.line_displacements.empty() || !problem.supports.empty())
+        throw Error("a free body cannot have prescribed displacements");
+    problem.supports = relief.supports();
+    return problem;
 }
 
 }  // namespace
@@ -77,12 +89,17 @@ Solution solve(const Problem& problem, const Options& options) {
     check_cells(mesh);
     const auto data = std::make_shared<Solution::Data>(std::move(mesh), options, problem.regions);
     const FaceTable faces(data->mesh);
-    const std::vector<SurfaceLoad> loads = loads_of(problem, faces);
-    const PrescribedValues prescribed = prescribe(problem, data->mesh, faces, data->space);
-    const Assembly assembly = assemble(data->space, data->materials, problem.body_force, loads, prescribed);
+    std::vector<double> load = nodal_loads(data->space, problem.body_force, loads_of(problem, faces));
+    add_line_loads(problem.line_loads, data->mesh, faces, data->space, load);
+    std::optional<InertiaRelief> relief;
+    if (problem.free_body) relief.emplace(*data, problem.regions).balance(load);
+    const PrescribedValues prescribed =
+        prescribe(relief ? held_without_force(problem, *relief) : problem, data->mesh, faces, data->space);
+    const Assembly assembly = assemble(data->space, data->materials, load, prescribed);
     const SparseSolution solution = solve_system(assembly.system, options);
     data->displacement = gather(assembly, prescribed, solution.values, data->space.dofs());
-    add_energies(*data, assembly, prescribed);
+    if (relief) relief->remove_rigid_motion(data->displacement);
+    add_energies(*data, load, prescribed);
     data->record = {.cells = static_cast<long>(data->mesh.cells.size()),
                     .dofs = data->space.dofs(),
                     .solver = solution.solver,

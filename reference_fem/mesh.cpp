@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -83,6 +84,26 @@ std::vector<BoundaryFace> FaceTable::surface(int id) const {
     }
     if (faces.empty()) throw Error(fmt::format("{}: no physical surface {} (the mesh has: {})", mesh_.file, id, fmt::join(known, ", ")));
     return faces;
+}
+
+std::vector<BoundaryEdge> FaceTable::line(const Line& line) const {
+    const auto edges_of = [&](int id) {
+        std::map<std::array<int, 2>, BoundaryEdge> edges;
+        for (const BoundaryFace& face : surface(id))
+            for (int i = 0; i < 4; ++i)
+                for (int j = 0; j < i; ++j) {
+                    if (i == face.opposite || j == face.opposite) continue;
+                    const int a = mesh_.cells[face.cell][i], b = mesh_.cells[face.cell][j];
+                    edges.try_emplace({std::min(a, b), std::max(a, b)}, BoundaryEdge{face.cell, {i, j}});
+                }
+        return edges;
+    };
+    const auto first = edges_of(line.first), second = edges_of(line.second);
+    std::vector<BoundaryEdge> shared;
+    for (const auto& [vertices, edge] : first)
+        if (second.contains(vertices)) shared.push_back(edge);
+    if (shared.empty()) throw Error(fmt::format("{}: the surfaces {} and {} do not meet in a line", mesh_.file, line.first, line.second));
+    return shared;
 }
 
 std::vector<int> connected_parts(const Mesh& mesh) {

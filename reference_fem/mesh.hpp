@@ -45,6 +45,12 @@ struct BoundaryFace {
     int opposite = 0;  ///< local number 0..3 of the cell's vertex that is not on the face
 };
 
+/// An edge of one tet: two of its local vertex numbers 0..3.
+struct BoundaryEdge {
+    int cell = 0;
+    std::array<int, 2> ends{};
+};
+
 /// Finds faces by their vertices.
 class FaceTable {
 public:
@@ -54,6 +60,10 @@ public:
     /// The faces of a physical surface, in the order of the file. Throws Error if the mesh has no such surface, or if a triangle of it
     /// is no face of a tet or lies between two tets: nothing can be prescribed inside the body. Surfaces nobody asks for are free to.
     std::vector<BoundaryFace> surface(int id) const;
+
+    /// The edges that triangles of both surfaces have, each once, in ascending order of their vertices. Throws Error as `surface` does,
+    /// and where the surfaces do not meet.
+    std::vector<BoundaryEdge> line(const Line& line) const;
 
 private:
     struct Entry {

@@ -14,22 +14,27 @@ using Point = std::array<double, 3>;
 using Voigt = std::array<double, 6>;
 using Stiffness = std::array<std::array<double, 6>, 6>;  ///< Pa; maps engineering strain to stress
 using VectorField = std::function<Point(const Point&)>;
+using StressField = std::function<Voigt(const Point&)>;
+using Frame = std::array<Point, 3>;  ///< unit vectors of three right-handed material axes, in the axes of the mesh
 
 /// Bad mesh, unknown surface, unconstrained body, ...: what() is one line that names the file or the item.
 struct Error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The stiffness of the cells of one physical volume, already in the axes of the mesh.
+/// The material of the cells of one physical volume.
 struct Region {
     int id = 0;  ///< tag of the physical volume in the .msh; cells outside any physical volume have tag 0
-    Stiffness stiffness{};
+    Stiffness stiffness{};                           ///< in the axes of `frame`
+    Frame frame{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< the axes of the mesh unless told otherwise
+    double density = 0;                              ///< kg/m^3; of use for a free body only
 };
 
-/// Force per area on a surface, Pa, as a function of place.
+/// Force per area on a surface, as a function of place: a vector, or a stress whose product with the outward normal it is.
 struct Traction {
     int surface = 0;
-    VectorField value;
+    VectorField value{};   ///< Pa
+    StressField stress{};  ///< Pa; one of the two must be given
 };
 
 /// Pa; positive pushes into the body.
@@ -43,6 +48,25 @@ struct Pressure {
 struct Displacement {
     int surface = 0;
     std::array<bool, 3> components{true, true, true};
+    VectorField value;
+};
+
+/// The line in which two surfaces meet: the edges of the mesh that belong to triangles of both.
+struct Line {
+    int first = 0;
+    int second = 0;
+};
+
+/// Prescribed displacement, m, at every node of a line.
+struct LineDisplacement {
+    Line line;
+    std::array<bool, 3> components{true, true, true};
+    VectorField value;
+};
+
+/// Force per length on a line, N/m, as a function of place.
+struct LineLoad {
+    Line line;
     VectorField value;
 };
 
@@ -62,6 +86,11 @@ struct Problem {
     std::vector<Displacement> displacements;
     std::vector<Support> supports;
     VectorField body_force;  ///< N/m^3; may be empty
+    std::vector<LineDisplacement> line_displacements{};
+    std::vector<LineLoad> line_loads{};
+    /// Nothing holds the body: the inertia of its rigid acceleration balances the loads (inertia relief), and of all displacements that
+    /// differ by a rigid motion the one without linear and angular momentum is taken. Needs densities, and no prescribed displacement.
+    bool free_body = false;
 };
 
 enum class Solver {

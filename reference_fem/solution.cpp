@@ -30,7 +30,7 @@ std::vector<const Elasticity*> by_cell(const Mesh& mesh, const std::vector<Regio
 
 std::vector<Elasticity> elasticities_of(const std::vector<Region>& regions) {
     std::vector<Elasticity> elasticities;
-    for (const Region& region : regions) elasticities.emplace_back(region.stiffness, region.id);
+    for (const Region& region : regions) elasticities.emplace_back(region);
     return elasticities;
 }
 

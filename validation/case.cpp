@@ -52,13 +52,39 @@ std::array<bool, 3> read_components(TableReader& load) {
     return components;
 }
 
+void check_surface(const TableReader& load, const std::string& name, const std::vector<std::string>& surfaces) {
+    if (std::find(surfaces.begin(), surfaces.end(), name) == surfaces.end())
+        load.fail("on", fmt::format("one of all, {} (not '{}')", fmt::join(surfaces, ", "), name));
+}
+
+PointSupport read_support(TableReader& load) {
+    PointSupport support;
+    support.at = load.vector("at", dimension::length);
+    support.components = read_components(load);
+    if (load.has("vector")) support.vector = load.vector("vector", dimension::length);
+    return support;
+}
+
+LineCondition read_line(TableReader& load, bool force, const std::vector<std::string>& surfaces) {
+    LineCondition line;
+    const std::vector<std::string> on = load.strings("on");
+    if (on.size() != 2 || on[0] == on[1]) load.fail("on", "the two surfaces that meet in the line");
+    for (std::size_t i = 0; i < 2; ++i) {
+        check_surface(load, on[i], surfaces);
+        line.on[i] = on[i];
+    }
+    line.load = force;
+    if (!force) line.components = read_components(load);
+    line.vector = load.vector("vector", force ? dimension::force_per_length : dimension::length);
+    return line;
+}
+
 SurfaceLoad read_load(TableReader& load, SurfaceLoad::Kind kind, const Defaults& defaults, const std::vector<std::string>& surfaces) {
     SurfaceLoad result;
     result.kind = kind;
     result.on = load.strings("on");
     for (const std::string& name : result.on)
-        if (name != "all" && std::find(surfaces.begin(), surfaces.end(), name) == surfaces.end())
-            load.fail("on", fmt::format("one of all, {} (not '{}')", fmt::join(surfaces, ", "), name));
+        if (name != "all") check_surface(load, name, surfaces);
     if (kind == SurfaceLoad::Kind::pressure) {
         result.pressure = load.quantity("value", dimension::pressure);
         return result;
@@ -80,6 +106,9 @@ void read_loads(TableReader& reader, const Defaults& defaults, Case& result) {
     using Kind = SurfaceLoad::Kind;
     for (const auto& [key, kind] : {std::pair{"traction", Kind::traction}, std::pair{"pressure", Kind::pressure}, std::pair{"displacement", Kind::displacement}})
         for (TableReader& entry : load->tables_if(key)) result.loads.push_back(read_load(entry, kind, defaults, surfaces));
+    for (TableReader& entry : load->tables_if("support")) result.supports.push_back(read_support(entry));
+    for (TableReader& entry : load->tables_if("line_displacement")) result.lines.push_back(read_line(entry, false, surfaces));
+    for (TableReader& entry : load->tables_if("line_load")) result.lines.push_back(read_line(entry, true, surfaces));
     result.free_body = load->boolean_or("free_body", false);
     if (auto force = load->table_if("body_force")) {
         if (force->has("solution") == force->has("vector")) force->fail("", "either 'vector' or 'solution'");
@@ -95,8 +124,8 @@ std::vector<double> checked_ladder(const TableReader& table, const std::string& 
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         if (!(sizes[i] > 0)) table.fail(key, "positive sizes");
         if (i > 0 && !(sizes[i] < sizes[i - 1])) table.fail(key, "sizes from coarse to fine");
-        sizes[i] *= unit;
     }
+    for (double& size : sizes) size *= unit;
     return sizes;
 }
 

@@ -36,6 +36,21 @@ struct SurfaceLoad {
     std::optional<SolutionCall> solution;
 };
 
+/// Six well-chosen components at three points (3-2-1) hold a body without stressing it. Finite elements only.
+struct PointSupport {
+    std::array<double, 3> at{};                        ///< m; the mesh vertex nearest to it counts
+    std::array<bool, 3> components{true, true, true};
+    std::array<double, 3> vector{};                    ///< prescribed displacement, m
+};
+
+/// A condition on the line in which two surfaces meet: a load per length, or a displacement. Finite elements only.
+struct LineCondition {
+    std::array<std::string, 2> on;                     ///< surface names
+    bool load = false;
+    std::array<bool, 3> components{true, true, true};  ///< displacement only
+    std::array<double, 3> vector{};                    ///< N/m or m
+};
+
 struct Reference {
     enum class Kind { none, value, solution, solver };
     Kind kind = Kind::none;
@@ -100,6 +115,8 @@ struct Case {
     std::shared_ptr<const geometry::Shape> shape;
     std::map<std::string, material::Material> materials;  ///< by region name; "" for the whole body
     std::vector<SurfaceLoad> loads;
+    std::vector<PointSupport> supports;
+    std::vector<LineCondition> lines;
     std::optional<SolutionCall> body_force_solution;
     std::array<double, 3> body_force{};
     bool free_body = false;                         ///< nothing holds the body: inertia balances the load

@@ -5,6 +5,7 @@
 #include "validation/analytic/linear_displacement.hpp"
 #include "validation/analytic/manufactured_trigonometric.hpp"
 #include "validation/analytic/sneddon_penny.hpp"
+#include "validation/analytic/uniform_stress.hpp"
 
 #include <fmt/format.h>
 
@@ -29,6 +30,7 @@ void read_keys(const SolutionInfo& solution, TableReader& table, SolutionCall& c
         if (!table.has(key.name)) continue;
         switch (key.kind) {
             case SolutionInfo::Key::Kind::word: call.words[key.name] = table.choice(key.name, key.choices); break;
+            case SolutionInfo::Key::Kind::angle: call.numbers[key.name] = table.angle(key.name); break;
             case SolutionInfo::Key::Kind::number: call.numbers[key.name] = table.number(key.name); break;
             case SolutionInfo::Key::Kind::quantity: call.numbers[key.name] = table.quantity(key.name, key.dimension); break;
             case SolutionInfo::Key::Kind::vector: call.vectors[key.name] = table.vector(key.name, key.dimension); break;
@@ -62,9 +64,20 @@ double body_length(const Case& of) {
     return 1;
 }
 
+analytic::Field build_uniform_stress(const SolutionCall& call, const analytic::Stiffness& stiffness) {
+    const auto vector = [&](const char* key, const std::array<double, 3>& fallback) {
+        const auto found = call.vectors.find(key);
+        return found == call.vectors.end() ? fallback : found->second;
+    };
+    const auto normal = vector("normal", {}), shear = vector("shear", {});
+    const analytic::Voigt stress{normal[0], normal[1], normal[2], shear[0], shear[1], shear[2]};
+    return analytic::uniform_stress(stiffness, stress, vector("axis", {0, 0, 1}), number(call, "angle", 0));
+}
+
 analytic::Field build(const SolutionCall& call, const Case& of, const analytic::Stiffness& stiffness) {
     if (call.name == "linear_displacement") return analytic::linear_displacement(stiffness, analytic::generic_gradient());
     if (call.name == "manufactured_trigonometric") return analytic::manufactured_trigonometric(stiffness, body_length(of), number(call, "scale", 1));
+    if (call.name == "uniform_stress") return build_uniform_stress(call, stiffness);
     if (call.name == "sneddon_penny")
         return analytic::sneddon_penny(stiffness, of.shape->length("crack_radius"), quantity(call, "pressure"), number(call, "box_factor", 1));
     const auto remote = call.vectors.find("remote");
@@ -85,6 +98,10 @@ const std::vector<SolutionInfo>& solutions() {
          "circular hole in an infinite plate, z = 0 a plane of elastic symmetry (Lekhnitskii 1968)",
          {{"plane", Kind::word, {"strain", "stress"}, {}}, {"remote", Kind::vector, {}, dimension::pressure}}},
         {"laminate", "two layers, piecewise linear displacement: exact for any two materials (laminate_block)", {}},
+        {"uniform_stress",
+         "the same stress everywhere, any material and shape; normal xx, yy, zz and shear yz, xz, xy in axes turned by angle about axis",
+         {{"normal", Kind::vector, {}, dimension::pressure}, {"shear", Kind::vector, {}, dimension::pressure},
+          {"axis", Kind::vector, {}, dimension::none}, {"angle", Kind::angle, {}, {}}}},
         {"sneddon_penny",
          "penny crack under pressure in infinite isotropic space: energy_release_rate, crack_opening, energy (Sneddon 1946)",
          {{"pressure", Kind::quantity, {}, dimension::pressure}, {"box_factor", Kind::number, {}, {}}}}};

@@ -11,7 +11,7 @@ namespace cleave::validation {
 /// What `validate --list` tells about an analytic solution, and the keys it reads.
 struct SolutionInfo {
     struct Key {
-        enum class Kind { word, number, quantity, vector };
+        enum class Kind { word, number, angle, quantity, vector };
         std::string name;
         Kind kind;
         std::vector<std::string> choices;  ///< of a word

@@ -30,6 +30,7 @@ inline constexpr Dimension pressure{1, -1, -2};           ///< stress, stiffness
 inline constexpr Dimension compliance{-1, 1, 2};          ///< 1/Pa
 inline constexpr Dimension energy{1, 2, -2};
 inline constexpr Dimension energy_per_area{1, 0, -2};     ///< energy release rate, toughness G_c
+inline constexpr Dimension force_per_length{1, 0, -2};
 inline constexpr Dimension stress_intensity{1, -0.5, -2};  ///< Pa m^0.5
 inline constexpr Dimension force_density{1, -2, -2};      ///< body force, N/m^3
 }  // namespace dimension

@@ -54,6 +54,7 @@ void add_loads(EquilibriumProblem& problem, const Case& of, const geometry::Body
 }
 
 EquilibriumProblem make_problem(const Case& of, const geometry::Body& body, const mesh::TetMesh& mesh) {
+    if (!of.supports.empty() || !of.lines.empty()) of.fail("load", "loads and displacements on surfaces for sph.conforming (particles have no nodes)");
     EquilibriumProblem problem{.mesh = mesh};
     problem.stiffness = stiffness_by_tag(of, body);
     for (const auto& [name, tag] : body.regions)

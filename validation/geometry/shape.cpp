@@ -1,8 +1,10 @@
 #include "validation/geometry/shape.hpp"
 
 #include "validation/geometry/block.hpp"
+#include "validation/geometry/elliptic_plate.hpp"
 #include "validation/geometry/imported.hpp"
 #include "validation/geometry/laminate_block.hpp"
+#include "validation/geometry/layered_strip.hpp"
 #include "validation/geometry/penny_crack_block.hpp"
 #include "validation/geometry/plate_with_hole.hpp"
 
@@ -22,7 +24,9 @@ struct Entry {
 const std::vector<Entry>& entries() {
     static const std::vector<Entry> list{{block_info(), read_block}, {laminate_block_info(), read_laminate_block},
                                          {plate_with_hole_info(), read_plate_with_hole},
-                                         {penny_crack_block_info(), read_penny_crack_block}};
+                                         {penny_crack_block_info(), read_penny_crack_block},
+                                         {elliptic_plate_info(), read_elliptic_plate},
+                                         {layered_strip_info(), read_layered_strip}};
     return list;
 }
 

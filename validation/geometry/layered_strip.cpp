@@ -29,7 +29,7 @@ public:
     explicit LayeredStrip(const Strip& strip) : strip_(strip) {}
 
     Body mesh(double size, const std::filesystem::path& folder) const override {
-        const std::string recipe = fmt::format("layered strip 1 {} {} {} {} size {}", strip_.length, strip_.width, strip_.support,
+        const std::string recipe = fmt::format("layered strip 3 {} {} {} {} size {}", strip_.length, strip_.width, strip_.support,
                                                fmt::join(strip_.thicknesses, " "), size);
         Body body;
         body.mesh_file = cached_mesh(folder, "layered_strip", recipe, [&] { build(size); });
@@ -61,7 +61,7 @@ private:
             z += thickness;
         }
         gmsh::model::occ::fragment(rectangles, {}, pieces, map);
-        const int across = std::max(1, static_cast<int>(std::lround(strip_.width / (8 * size))));
+        const int across = std::max(1, static_cast<int>(std::lround(strip_.width / (50 * size))));
         gmsh::model::occ::extrude(pieces, 0, strip_.width, 0, swept, {across}, {}, false);
         gmsh::model::occ::synchronize();
         divide_lines(size);
@@ -77,7 +77,7 @@ private:
         return tag;
     }
 
-    /// Lines along x and z of the plane y = 0. Along x elements may be three times as long as high; they shrink to a third at both ends of
+    /// Lines along x and z of the plane y = 0. Along x elements are twelve times as long as high, and shrink at both ends of
     /// each span (the supports and the load), by Gmsh's "Bump".
     void divide_lines(double size) const {
         gmsh::vectorpair curves;
@@ -88,7 +88,7 @@ private:
             const double dx = x1 - x0, dz = z1 - z0;
             if (y1 - y0 > 0.5 * strip_.width) continue;
             if (dx > dz)
-                gmsh::model::mesh::setTransfiniteCurve(tag, 1 + std::max(2, static_cast<int>(std::lround(dx / (3 * size)))), "Bump", 0.3);
+                gmsh::model::mesh::setTransfiniteCurve(tag, 1 + std::max(2, static_cast<int>(std::lround(dx / (12 * size)))), "Bump", 0.1);
             else
                 gmsh::model::mesh::setTransfiniteCurve(tag, 1 + std::max(1, static_cast<int>(std::lround(dz / size))));
         }

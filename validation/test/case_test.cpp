@@ -68,6 +68,11 @@ TEST(Case, ReadsGeometryLoadsLadderAndChecksInSi) {
     EXPECT_NEAR(one.materials.at("").stiffness(3, 3), 28e9, 1);  // G = E / (2 (1 + nu))
 }
 
+TEST(Case, ALadderRelativeToAShortLengthIsReadAsItStands) {
+    const std::vector<Case> cases = read_cases(write(replaced("[\"2 m\", \"1 m\", \"1 m\"]", "[\"2 mm\", \"1 mm\", \"1 mm\"]")), {});
+    EXPECT_EQ(cases[0].sizes("quick"), (std::vector<double>{1e-3, 0.5e-3}));
+}
+
 // Each mistake: one line that names the file, the key and what was expected.
 TEST(Case, MistakesAreNamed) {
     struct Row { std::string text, expected; };

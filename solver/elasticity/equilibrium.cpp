@@ -3,6 +3,8 @@
 #include "solver/elasticity/equilibrium_rigid.hpp"
 #include "solver/elasticity/equilibrium_system.hpp"
 
+#include <stdexcept>
+
 namespace cleave::elasticity {
 
 namespace {
@@ -49,6 +51,14 @@ EquilibriumSolution solve_equilibrium(const EquilibriumProblem& problem, const E
     const std::vector<double> mass = masses(problem, solution.body->particles);
     for (std::size_t i = 0; i < inertia.size(); ++i) solution.acceleration.push_back(inertia[i] / mass[i]);
     return solution;
+}
+
+double balance_residual(const EquilibriumProblem& problem, const Vectors& displacement, const EquilibriumOptions& options) {
+    if (problem.free_body) throw std::invalid_argument("a held body: the balance of a free one needs its acceleration");
+    auto body = std::make_shared<const ConformingBody>(make_conforming_body(problem.mesh, problem.stiffness, options.traces));
+    const EquilibriumSystem system = make_system(problem, options.link_penalty, std::move(body));
+    if (displacement.size() != system.external_force.size()) throw std::invalid_argument("one displacement per particle");
+    return system_residual(system, displacement);
 }
 
 }  // namespace cleave::elasticity

@@ -97,4 +97,10 @@ struct EquilibriumSolution {
 /// free_body beside prescribed displacements. Throws std::runtime_error where the iteration does not reach the tolerance.
 EquilibriumSolution solve_equilibrium(const EquilibriumProblem& problem, const EquilibriumOptions& options = {});
 
+/// |f - K u| / |f| of a given displacement (m per particle, not a solved one): what the discrete balance makes of a known field. Zero to
+/// rounding for a linear field in a homogeneous body (the weak patch test). Throws as solve_equilibrium does, and std::invalid_argument
+/// for a free body or a displacement of another size.
+double balance_residual(const EquilibriumProblem& problem, const std::vector<Eigen::Vector3d>& displacement,
+                        const EquilibriumOptions& options = {});
+
 }  // namespace cleave::elasticity

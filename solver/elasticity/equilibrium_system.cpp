@@ -108,6 +108,10 @@ Vectors inertia_forces(const EquilibriumProblem& problem, const EquilibriumSyste
     return inertia;
 }
 
+double system_residual(const EquilibriumSystem& system, const Vectors& displacement) {
+    return residual(system, total_force(system, {}), displacement);
+}
+
 void solve_system(const EquilibriumSystem& system, const EquilibriumOptions& options, const Vectors& inertia, Vectors& displacement,
                   EquilibriumReport& report) {
     const Vectors force = total_force(system, inertia);

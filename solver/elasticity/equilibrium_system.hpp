@@ -32,6 +32,9 @@ EquilibriumSystem make_system(const EquilibriumProblem& problem, double link_pen
 void solve_system(const EquilibriumSystem& system, const EquilibriumOptions& options, const Vectors& inertia, Vectors& displacement,
                   EquilibriumReport& report);
 
+/// |f - K u| / |f| with the loads of a held body.
+double system_residual(const EquilibriumSystem& system, const Vectors& displacement);
+
 /// Mass (kg) of every particle; density 1 where the problem gives none. Throws std::invalid_argument where it is not positive.
 std::vector<double> masses(const EquilibriumProblem& problem, const particles::Particles& particles);
 

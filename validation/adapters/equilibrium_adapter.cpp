@@ -98,6 +98,7 @@ public:
             const double moved = solve(jiggled(mesh_, 1e-9 * size_)).strain_energy;
             return std::abs(moved - solution_.strain_energy) / solution_.strain_energy;
         }
+        if (quantity == "patch_residual") return patch_residual();
         if (quantity == "acceleration_balance") return acceleration_balance();
         if (quantity == "energy_release_rate") return energy_release().by_movement;
         if (quantity == "energy_release_rate_domain") return energy_release().by_domain_integral;
@@ -114,6 +115,15 @@ private:
         } catch (const std::invalid_argument& error) {
             throw InputError(of_.file, "sph.conforming", std::string("a problem that can be solved: ") + error.what());
         }
+    }
+
+    /// The residual of the exact field at the particles, nothing solved.
+    double patch_residual() const {
+        if (!of_.particles.solution) of_.fail("particles.solution", "the exact field that patch_residual puts in (the key is missing)");
+        const analytic::Field field = make_field(*of_.particles.solution, of_);
+        std::vector<Eigen::Vector3d> exact;
+        for (const Eigen::Vector3d& x : solution_.body->particles.position) exact.push_back(eigen(field.displacement(plain(x))));
+        return elasticity::balance_residual(make_problem(of_, body_, mesh_), exact, options_);
     }
 
     /// |load - sum m a| over |load|, and the same for moments about the origin, the larger: the surface loads are integrated here anew.

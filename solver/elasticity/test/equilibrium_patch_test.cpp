@@ -79,6 +79,23 @@ TEST(Patch, pressure_is_the_traction_against_the_normal) {
     EXPECT_LT(worst_displacement(solve_equilibrium(problem, tight()), field), exact);
 }
 
+TEST(Patch, the_exact_field_is_in_balance_without_a_solve) {
+    const mesh::TetMesh mesh = tagged_cube(4);
+    const EquilibriumProblem problem = pulled_cube(mesh, {}, {bottom});
+    std::vector<Eigen::Vector3d> exact_field, bent;
+    for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet) {
+        const Eigen::Vector3d x = mesh::tet_centroid(mesh, static_cast<int>(tet));
+        exact_field.push_back(LinearField{}(x));
+        bent.push_back(exact_field.back() + 1e-4 * x.x() * x.x() * Eigen::Vector3d::UnitY());
+    }
+    // The sum of a few hundred rounded products per particle; interior faces cancel exactly.
+    EXPECT_LT(balance_residual(problem, exact_field), 1e-11);
+    EXPECT_GT(balance_residual(problem, bent), 1e-4);
+    EquilibriumOptions shepard;
+    shepard.traces.order = 0;
+    EXPECT_GT(balance_residual(problem, exact_field, shepard), 1e-3);
+}
+
 TEST(Patch, fails_with_shepard_traces) {
     const mesh::TetMesh mesh = tagged_cube(4);
     EquilibriumOptions options = tight();

@@ -268,6 +268,12 @@ Band Check::band(const std::string& solver) const {
     return any == bands.end() ? Band{} : any->second;
 }
 
+bool Check::takes(double size, const std::vector<double>& ladder) const {
+    if (!at_size) return true;
+    const auto is_it = [&](double other) { return std::abs(other - *at_size) < 1e-9 * *at_size; };
+    return (size > *at_size || is_it(size)) && std::any_of(ladder.begin(), ladder.end(), is_it);
+}
+
 const std::vector<double>& Case::sizes(const std::string& level) const {
     const auto found = ladder.find(level);
     return found == ladder.end() ? ladder.at("quick") : found->second;

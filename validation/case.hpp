@@ -74,8 +74,10 @@ struct Check {
     Dimension unit;                     ///< of value and reference, after divide_by
     bool angle = false;                 ///< value, reference and absolute band in degrees
     bool must_fail = false;
+    std::optional<double> at_size;      ///< m: the ladder ends there for this check, which is made only where the ladder has that size
     std::string where;                  ///< "check[2]", for messages
     Band band(const std::string& solver) const;
+    bool takes(double size, const std::vector<double>& ladder) const;
 };
 
 /// One [[profile]]: curves along a line, for the report.

@@ -122,6 +122,14 @@ void read_place(TableReader& table, const Case& of, Check& check) {
     if (table.has("at")) check.at = table.vectors("at", dimension::length);
 }
 
+/// In the ladder's unit, as the ladder's sizes are.
+std::optional<double> read_size(TableReader& table, const Case& of) {
+    if (!table.has("at_size")) return std::nullopt;
+    const double size = table.number("at_size") * (of.ladder_unit_name.empty() ? 1 : of.shape->length(of.ladder_unit_name));
+    if (!(size > 0)) table.fail("at_size", "a positive size, in the unit of the ladder");
+    return size;
+}
+
 /// What holds for checks of every kind.
 void require_reasons(const TableReader& table, const Check& check) {
     if (!check.bands.empty() && check.reference.kind == Reference::Kind::none) table.fail("reference", "a reference for the band (the key is missing)");
@@ -236,6 +244,7 @@ Check read_check(TableReader& table, const Defaults& defaults, const Case& of) {
     check.solvers = read_solvers(table, solver_names());
     check.reference = read_reference(table, defaults, {check.unit, check.angle});
     read_judgement(table, solver_names(), check);
+    check.at_size = read_size(table, of);
     read_place(table, of, check);
     require_consistency(table, check, of);
     return check;

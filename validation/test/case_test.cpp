@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "validation/runner.hpp"
 #include "validation/suite.hpp"
 
 #include <gtest/gtest.h>
@@ -87,6 +88,7 @@ TEST(Case, MistakesAreNamed) {
         {replaced("[0.5, 0.25]", "[0.25, 0.5]"), "ladder.quick: expected sizes from coarse to fine"},
         {replaced("\"fem.p2\", \"sph.corrected\"]", "\"fem.p9\"]"), "check[0].solver: expected one of fem.p1"},
         {replaced("\"stress\"", "\"stres\""), "check[0].quantity: expected one of displacement, strain, stress, energy"},
+        {replaced("basis = \"exact\"", "basis = \"exact\"\nat_size = -1"), "check[0].at_size: expected a positive size"},
         {replaced("basis = \"exact\"", ""), "check[0].basis: expected why the band is that wide"},
         {replaced("depth > 0.1", "dept > 0.1"), "check[0].over.region: expected a number or one of depth, x, y, z (not 'dept')"},
         {replaced("{ solution = \"linear_displacement\" }\nover", "{ value = 3.0, source = \"me\" }\nover"), "check[0].reference.value"},
@@ -118,6 +120,35 @@ TEST(Case, OverridesAndLaddersComeFromTheCommandLine) {
     EXPECT_DOUBLE_EQ(cases[0].sizes("quick")[1], 0.4);
     EXPECT_NE(error_of(good, {{{"materail.E", "1"}}, ""}).find("materail.E"), std::string::npos);
     EXPECT_NE(error_of(good, {{}, "0.3,x"}).find("--ladder"), std::string::npos);
+}
+
+TEST(Case, ACheckForOneSizeEndsItsLadderThere) {
+    const std::string text = replaced("basis = \"exact\"", "basis = \"exact\"\nat_size = 0.5");
+    const Check check = read_cases(write(text), {})[0].checks[0];
+    EXPECT_DOUBLE_EQ(*check.at_size, 1.0);  // in the ladder's unit, 2 m
+    const std::vector<double> ladder{2, 1, 0.5}, without{2, 0.5};
+    EXPECT_TRUE(check.takes(2, ladder) && check.takes(1, ladder));
+    EXPECT_FALSE(check.takes(0.5, ladder));
+    EXPECT_FALSE(check.takes(2, without)) << "a ladder without the size has no such check";
+    EXPECT_TRUE(read_cases(write(good), {})[0].checks[0].takes(0.5, ladder));
+}
+
+TEST(Runner, ACheckForOneSizeIsJudgedThere) {
+    RunOptions options;
+    options.out = testing::TempDir() + "cleave_runner_test";
+    const std::string particles_only = replaced("\"fem.p2\", \"sph.corrected\"]", "\"sph.corrected\"]");
+    const auto run = [&](const std::string& more) {
+        std::string text = particles_only;
+        text.replace(text.find("\"fem.p2\" = { relative = 1e-10 }, "), 33, "");
+        return run_case(read_cases(write(text + more), {})[0], options).result.rows;
+    };
+    const std::vector<Row> all = run(""), coarse = run("at_size = 0.5\n");
+    ASSERT_EQ(all.size(), 1U);
+    ASSERT_EQ(coarse.size(), 1U);
+    EXPECT_EQ(all[0].ladder.size(), 2U);
+    EXPECT_EQ(coarse[0].ladder.size(), 1U);
+    EXPECT_EQ(coarse[0].resolution.particles, all[0].ladder[0].resolution.particles);
+    EXPECT_TRUE(run("at_size = 0.3\n").empty());
 }
 
 TEST(Suite, EveryShippedCaseReadsAndHasABandAndATwin) {

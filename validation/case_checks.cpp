@@ -155,8 +155,9 @@ void require_consistency(const TableReader& table, const Check& check, const Cas
 }  // namespace
 
 const std::vector<std::string>& solver_names() {
-    static const std::vector<std::string> names{"fem.p1", "fem.p2", "sph.paper", "sph.corrected", "sph.quadratic", "sph.conforming_operator", "sph.conforming",
-                                                "sph.conforming_recovered"};
+    static const std::vector<std::string> names{"fem.p1", "fem.p2", "sph.paper", "sph.corrected", "sph.quadratic",
+                                                "sph.conforming_operator", "sph.conforming", "sph.conforming_recovered",
+                                                "sph.relaxed_paper", "sph.relaxed_corrected"};
     return names;
 }
 

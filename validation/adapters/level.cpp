@@ -28,6 +28,8 @@ FieldSource& LevelSources::get(const std::string& solver) {
         made = run_fem(of_, body_, size_, solver, note);
     else if (solver == "sph.conforming" || solver == "sph.conforming_recovered")
         made = run_equilibrium(of_, body_, size_, solver, note);
+    else if (solver.starts_with("sph.relaxed_"))
+        made = run_relaxation(of_, body_, size_, solver, note);
     else
         made = run_particles(of_, body_, size_, solver, [this](const std::vector<Point>& points) { return displacement_at(points); }, note);
     notes_.push_back(note);

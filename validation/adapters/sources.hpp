@@ -24,6 +24,11 @@ std::unique_ptr<FieldSource> run_particles(const Case& of, const geometry::Body&
 std::unique_ptr<FieldSource> run_equilibrium(const Case& of, const geometry::Body& body, double size, const std::string& solver,
                                              SolveNote& note);
 
+/// The particles relaxed under the forces of Eq. 9: sph.relaxed_paper, sph.relaxed_corrected. The counter-example: it does not converge.
+/// Takes bodies whose whole surface follows an analytic displacement. Throws InputError.
+std::unique_ptr<FieldSource> run_relaxation(const Case& of, const geometry::Body& body, double size, const std::string& solver,
+                                            SolveNote& note);
+
 /// Tags of the surfaces a load acts on; "all" stands for every surface of the body. Throws InputError.
 std::vector<int> surface_tags(const SurfaceLoad& load, const geometry::Body& body, const Case& of);
 

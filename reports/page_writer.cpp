@@ -23,7 +23,8 @@ json to_json(const Report& report) {
                            {"bench", source.bench},
                            {"timings", source.timings},
                            {"provenance", source.provenance},
-                           {"artifacts", source.artifacts}});
+                           {"artifacts", source.artifacts},
+                           {"scenes", source.scenes}});
     }
     return {{"schema", "cleave.report/1"}, {"sources", sources}};
 }

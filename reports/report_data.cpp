@@ -1,11 +1,11 @@
 #include "reports/report_data.hpp"
 
 #include "reports/artifact_table.hpp"
+#include "reports/json_file.hpp"
 #include "reports/results_check.hpp"
-#include "solver/input/file_io.hpp"
+#include "reports/scene_files.hpp"
 #include "solver/input/input_error.hpp"
 
-#include <algorithm>
 #include <map>
 
 namespace cleave::reports {
@@ -14,27 +14,6 @@ using nlohmann::json;
 using std::filesystem::path;
 
 namespace {
-
-int line_of(const std::string& text, std::size_t byte) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
-    return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-}
-
-json read_json(const path& file) {
-    const std::string text = read_file(file);
-    try {
-        return json::parse(text);
-    } catch (const json::parse_error& error) {
-        throw InputError(file.string(), line_of(text, error.byte), "", "valid JSON");
-    }
-}
-
-json read_companion(const path& file) {
-    if (!std::filesystem::exists(file)) return nullptr;
-    json document = read_json(file);
-    if (!document.is_object()) throw InputError(file.string(), "", "an object {...}");
-    return document;
-}
 
 json read_artifacts(const path& folder, const json& results, const std::string& results_file) {
     json tables = json::object();
@@ -60,6 +39,7 @@ ReportSource read_source(const path& folder) {
     source.timings = read_companion(folder / "timings.json");
     source.provenance = read_companion(folder / "provenance.json");
     source.artifacts = read_artifacts(folder, source.results, file.string());
+    source.scenes = read_scenes(folder);
     return source;
 }
 

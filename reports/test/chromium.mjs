@@ -9,7 +9,8 @@ const flags = [
   "--headless",
   "--no-sandbox",
   "--disable-dev-shm-usage",
-  "--disable-gpu",
+  "--use-angle=swiftshader", // WebGL without a graphics card
+  "--enable-unsafe-swiftshader",
   "--hide-scrollbars",
   "--remote-debugging-pipe",
   "--no-first-run",

@@ -117,6 +117,42 @@ const names = (tab) =>
   ];
 })()`);
 
+/// The chosen scene is drawn: its canvas holds more than a background, and another time looks different.
+async function scenes(tab) {
+  const wanted = await tab.evaluate(
+    'JSON.parse(document.getElementById("report-data")?.textContent ?? \'{"sources":[]}\').sources.flatMap((one) => one.scenes ?? [])' +
+      ".filter((scene) => scene.surface).length",
+  );
+  if (wanted === 0) return [];
+  const shown = await tab.evaluate(`(async () => {
+    for (let i = 0; i < 100 && !document.querySelector(".stage-view")?.dataset.shown; ++i) await new Promise((done) => setTimeout(done, 50));
+    const canvas = document.querySelector(".stage-view canvas");
+    const time = document.querySelector(".stage input[type=range]");
+    if (!canvas || !time) return null;
+    const look = () => {
+      const copy = document.createElement("canvas");
+      [copy.width, copy.height] = [160, 90];
+      const context = copy.getContext("2d");
+      context.drawImage(canvas, 0, 0, 160, 90);
+      return [...context.getImageData(0, 0, 160, 90).data];
+    };
+    const at = (share) => {
+      time.value = String(share * Number(time.max));
+      time.dispatchEvent(new Event("input"));
+      return look();
+    };
+    const [early, late] = [at(0.1), at(1)];
+    const colours = new Set();
+    for (let i = 0; i < late.length; i += 4) colours.add(late.slice(i, i + 3).join());
+    return { colours: colours.size, moved: early.filter((value, i) => Math.abs(value - late[i]) > 8).length };
+  })()`);
+  if (!shown) return ["scene: no stage"];
+  return [
+    ...(shown.colours > 20 ? [] : [`scene: looks blank (${shown.colours} colours)`]),
+    ...(shown.moved > 100 ? [] : [`scene: does not move (${shown.moved} values differ)`]),
+  ];
+}
+
 /// Sort by keyboard, filter, CSV: done on the page, then undone.
 async function interaction(tab, checks) {
   if (checks.length === 0) return [];
@@ -137,7 +173,7 @@ async function interaction(tab, checks) {
     let text;
     const make = URL.createObjectURL;
     URL.createObjectURL = (blob) => { text = blob.text(); return "#csv"; };
-    const solver = [...document.querySelectorAll(".filters select")].pop();
+    const solver = [...document.querySelectorAll("#verdicts .filters select")].pop();
     solver.value = solver.options[1].value;
     solver.dispatchEvent(new Event("change"));
     const shown = document.querySelectorAll("#verdict-table tbody tr:not([hidden])").length;
@@ -194,6 +230,7 @@ function stages(tab, url, results, folder) {
     () => figures(tab),
     () => names(tab),
     () => interaction(tab, checks),
+    () => scenes(tab),
     ...looks.map((look) => () => picture(tab, look, folder)),
     () => errors(tab),
     () => outside_requests(tab, url),

@@ -39,6 +39,12 @@ const twins = [
     damage: at_the_end('document.querySelector("#samples").textContent = ""'),
     complaint: /empty section: samples/,
   },
+  { name: "no stage", damage: remove(".stage-view canvas"), complaint: /scene: no stage/ },
+  {
+    name: "a blank stage",
+    damage: (page) => page.replace("<script>", "<script>WebGL2RenderingContext.prototype.drawElements = () => {};</script><script>"),
+    complaint: /scene: (looks blank|does not move)/,
+  },
   { name: "NaN printed", damage: at_the_end('document.querySelector(".headline .figure").textContent = "NaN"'), complaint: /prints NaN/ },
   {
     name: "too wide for a phone",

@@ -73,6 +73,40 @@ export interface Bench {
   benchmarks?: Benchmark[];
 }
 
+export interface SceneStatistics {
+  scene?: string;
+  frames?: number;
+  physical_particles?: number;
+  subdivided_particles?: number;
+  boundary_particles?: number;
+  fragments?: number;
+  debris?: { count?: number; mass?: number; below?: number };
+  mass?: number;
+  paper?: { row?: string; physical?: number; subdivided?: number; boundary?: number; fragments?: number } | null;
+}
+export interface SceneTimings {
+  threads?: number;
+  frames?: number;
+  frame_rate?: number;
+  fractures?: number;
+  stress_analysis?: { per_fracture_ms?: number };
+  subdivision_and_links?: { per_fracture_ms?: number };
+  fragment_generation?: { per_fracture_ms?: number };
+  paper?: {
+    stress_analysis_ms?: number;
+    particle_subdivision_ms?: number;
+    crack_generation_ms?: number;
+    frame_rate?: number;
+  } | null;
+}
+export interface Scene {
+  name: string;
+  statistics: SceneStatistics;
+  timings: SceneTimings | null;
+  surface: string | null;
+  note: string;
+}
+
 export interface Source {
   folder: string;
   results: { level?: string; cases: Case[] };
@@ -80,6 +114,7 @@ export interface Source {
   timings: { cases?: Record<string, { seconds?: number }>; solves?: Record<string, unknown>[] } | null;
   provenance: Record<string, unknown> | null;
   artifacts: Record<string, ArtifactTable>;
+  scenes?: Scene[];
 }
 
 /// One check with the case and the folder it comes from.

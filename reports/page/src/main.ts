@@ -7,6 +7,7 @@ import { read_report, type Report } from "./data";
 import { el } from "./dom";
 import { headline } from "./headline";
 import { samples_section } from "./samples";
+import { scenes_section } from "./scenes";
 import { subdivision_section } from "./subdivision";
 import { missed_section, verdict_section } from "./verdict_table";
 
@@ -46,6 +47,7 @@ function build(report: Report): void {
     convergence_section(report, board),
     samples_section(report, board),
     subdivision_section(report),
+    scenes_section(report),
     cases_section(report),
     provenance_section(report),
   ];
@@ -53,7 +55,7 @@ function build(report: Report): void {
     "footer",
     {},
     "Written by cleave-report from the results alone; it judges nothing. " +
-      "Charts: Apache ECharts (Apache-2.0) and ZRender (BSD-3-Clause).",
+      "Charts: Apache ECharts (Apache-2.0) and ZRender (BSD-3-Clause). Scenes: three.js (MIT).",
   );
   document
     .getElementById("page")

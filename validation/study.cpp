@@ -1,5 +1,8 @@
 #include "validation/study.hpp"
 
+#include "validation/studies/contact_fields.hpp"
+#include "validation/studies/contact_hertz.hpp"
+#include "validation/studies/contact_indentation.hpp"
 #include "validation/studies/kernel_properties.hpp"
 
 namespace cleave::validation {
@@ -7,6 +10,9 @@ namespace cleave::validation {
 const std::vector<StudyInfo>& studies() {
     static const std::vector<StudyInfo> list{
         kernel_properties_study(),
+        contact_hertz_study(),
+        contact_fields_study(),
+        contact_indentation_study(),
     };
     return list;
 }

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "validation/study.hpp"
+
+namespace cleave::validation {
+
+/// Indentation modulus of every material and surface, the surface's compliance by direction, and the paraboloid under Hertz's pressure:
+/// Stroh's eigenvectors in the solver, the integrals of Barnett and Lothe in the analytic half-space. No keys.
+StudyInfo contact_indentation_study();
+
+}  // namespace cleave::validation

@@ -93,7 +93,7 @@ struct StrohField::Prepared {
 };
 
 StrohField::StrohField(std::shared_ptr<const StrohTable> table, const StrohLoad& load, double accuracy)
-    : table_(std::move(table)), load_(load), least_decay_(table_->least_decay()), digits_(digits_of(accuracy)),
+    : table_(std::move(table)), load_(load), bounds_(table_->bounds()), digits_(digits_of(accuracy)),
       levels_(std::make_shared<std::vector<std::unique_ptr<Prepared>>>()) {
     for (int level = 0; level < table_->levels(); ++level) levels_->push_back(std::make_unique<Prepared>());
 }
@@ -126,13 +126,14 @@ const StrohField::Prepared& StrohField::prepared(int level) const {
     return asked;
 }
 
-/// Imaginary part of the nearest angle at which r cos(phi) + i (Im p) z reaches the rim of the patch (its centre for a point force), but
-/// never more than the smallest Im p: beyond that the matrices themselves are singular.
+/// Imaginary part of the nearest angle at which r cos(phi) + p z reaches the rim of the patch (its centre for a point force), for the
+/// worst p that occurs, but never more than the strip.
 double StrohField::decay(double distance, double z) const {
-    const double least = least_decay_;
+    const double most = std::min(bounds_.strip, bounds_.least_decay);
+    if (distance <= 0) return most;
     const double rim = std::clamp(distance, std::min(load_.radius, load_.other_radius), std::max(load_.radius, load_.other_radius));
-    if (distance <= 0) return least;
-    return std::min(least, std::abs(std::acos(Complex(rim, least * z) / distance).imag()));
+    const double nearest = std::max(0.0, rim - bounds_.largest_shift * z);
+    return std::min(most, std::abs(std::acos(Complex(nearest, bounds_.least_decay * z) / distance).imag()));
 }
 
 StrohField::Choice StrohField::choose(const Eigen::Vector3d& position) const {
@@ -145,7 +146,7 @@ StrohField::Choice StrohField::choose(const Eigen::Vector3d& position) const {
     // Enough directions meet a near patch for its kinks at the rim to be resolved (the error is the square of their spacing).
     if (table_->directions(level) >= wanted || most * radius > 1500 * distance) return {level, 0};
     const double delta = digits_ / most, reach = radius / (distance * std::cosh(delta));
-    return {level, distance * std::sinh(delta) * std::sqrt(1 - reach * reach) / least_decay_};
+    return {level, distance * std::sinh(delta) * std::sqrt(1 - reach * reach) / bounds_.least_decay};
 }
 
 int StrohField::directions_at(const Eigen::Vector3d& position) const { return table_->directions(choose(position).level); }

@@ -48,7 +48,7 @@ private:
 
     std::shared_ptr<const StrohTable> table_;
     StrohLoad load_;
-    double least_decay_;
+    StrohTable::Bounds bounds_;
     double digits_;  // N delta that the accuracy takes
     std::shared_ptr<std::vector<std::unique_ptr<Prepared>>> levels_;
 };

@@ -78,11 +78,20 @@ StrohTable::StrohTable(const material::Stiffness& stiffness, int most_directions
     } while (2 * directions(levels() - 1) <= most_directions);
 }
 
-double StrohTable::least_decay() const {
-    double least = 1;
+StrohTable::Bounds StrohTable::bounds() const {
+    Bounds bounds;
     for (const StrohDirection& one : level(0))
-        for (const auto& root : one.root) least = std::min(least, root.imag());
-    return least;
+        for (const auto& root : one.root) {
+            bounds.least_decay = std::min(bounds.least_decay, root.imag());
+            bounds.largest_shift = std::max(bounds.largest_shift, std::abs(root.real()));
+        }
+    // m + q t, t across m in the surface, is a complex direction (up to its length); it is singular where its own p is real, first of all
+    // p = 0: q is a root of the surface's own plane. Turning m moves q along a circle about i, as far from i as ever (hyperbolic distance),
+    // so one direction tells the smallest Im q of all.
+    const Eigen::Matrix3d surface_upright = (Eigen::Matrix3d() << 1, 0, 0, 0, 0, -1, 0, 1, 0).finished();
+    for (const auto& q : stroh_direction(material::rotate_stiffness(stiffness_, surface_upright), 0).root)
+        bounds.strip = std::min(bounds.strip, std::exp(-std::acosh(1 + std::norm(q - std::complex<double>(0, 1)) / (2 * q.imag()))));
+    return bounds;
 }
 
 const std::vector<StrohDirection>& StrohTable::level(int level) const {

@@ -36,7 +36,14 @@ public:
     const std::vector<StrohDirection>& level(int level) const;
 
     const material::Stiffness& stiffness() const { return stiffness_; }
-    double least_decay() const;  ///< the smallest Im p on level 0, at most 1
+
+    /// What bounds the convergence of sums over directions.
+    struct Bounds {
+        double least_decay = 1;    ///< the smallest Im p of level 0, at most 1
+        double largest_shift = 0;  ///< the largest |Re p| of level 0
+        double strip = 1;          ///< half width of the strip of complex directions in which p and W are analytic
+    };
+    Bounds bounds() const;
 
 private:
     struct Level {

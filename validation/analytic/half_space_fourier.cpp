@@ -117,9 +117,8 @@ Point times(const ComplexMatrix& a, const std::array<Complex, 3>& v, std::array<
 }
 
 /// The pressure as line loads: offsets over the radius, and shares (3/4)(1 - s^2) ds; one at the centre for a point force.
-std::vector<std::pair<double, double>> line_loads(double radius, double depth) {
+std::vector<std::pair<double, double>> line_loads(double radius, int count) {
     if (radius <= 0) return {{0, 1}};
-    const int count = std::clamp(static_cast<int>(30 * radius / depth), 12, 120);
     std::vector<std::pair<double, double>> lines = gauss_rule(count);
     for (auto& [s, weight] : lines) weight *= 0.75 * (1 - s * s);
     return lines;
@@ -184,7 +183,7 @@ std::array<std::array<double, 2>, 2> FourierHalfSpace::curvature_integral(int co
 
 FourierHalfSpace::Response FourierHalfSpace::sum(const Point& force, double radius, const Point& at, int count) const {
     Response response{};
-    const auto lines = line_loads(radius, at[2]);
+    const auto lines = line_loads(radius, std::max(12, count / 8));
     for (const Direction& one_of : directions(count)) {
         std::array<Complex, 3> source, u, slope;
         times(one_of.compliance, {force[0], force[1], force[2]}, source);

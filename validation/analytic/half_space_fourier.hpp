@@ -29,7 +29,7 @@ public:
     std::array<std::array<double, 2>, 2> curvature_integral(int directions = 128) const;
 
     /// Gradient and displacement under a force (N) at the origin, spread like Hertz's pressure over `radius` (0: a point force), z > 0.
-    /// The sum over directions is doubled until two agree to `tolerance`; over the line loads that make up the pressure by Gauss's rule.
+    /// The sums over directions and over the line loads that make up the pressure (Gauss's rule) are doubled until two agree to `tolerance`.
     struct Response {
         Point displacement;
         Gradient gradient;

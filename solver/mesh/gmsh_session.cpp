@@ -9,6 +9,7 @@ namespace cleave::mesh {
 namespace {
 
 constexpr int triangle_type = 2, tet_type = 4;
+constexpr int throw_always = 3;  ///< of General.AbortOnError
 
 /// Gmsh node tags to vertex numbers; -1 for tags that no tet uses.
 class NodeNumbers {
@@ -77,7 +78,7 @@ std::map<int, std::string> group_names(int dimension) {
 void set_options() {
     using gmsh::option::setNumber;
     setNumber("General.Terminal", 0);
-    setNumber("General.AbortOnError", 3);  // throw, always
+    setNumber("General.AbortOnError", throw_always);
     setNumber("General.NumThreads", 1);
     setNumber("Mesh.Algorithm", 6);  // frontal Delaunay
     setNumber("Mesh.Algorithm3D", 1);
@@ -129,7 +130,19 @@ void GmshSession::set_uniform_size(double size) const {
 }
 
 void GmshSession::generate() const {
-    run([] { gmsh::model::mesh::generate(3); });
+    // Gmsh meshes surfaces inside an OpenMP region, which no exception may leave: errors go into its log meanwhile.
+    std::vector<std::string> log;
+    run([&] {
+        gmsh::option::setNumber("General.AbortOnError", 0);
+        gmsh::logger::start();
+        gmsh::model::mesh::generate(3);
+        gmsh::logger::get(log);
+        gmsh::logger::stop();
+        gmsh::option::setNumber("General.AbortOnError", throw_always);
+    });
+    for (const std::string& line : log) {
+        if (line.starts_with("Error")) throw MeshingError("gmsh: " + one_line(line));
+    }
 }
 
 TetMesh GmshSession::take_mesh() const {

@@ -9,7 +9,7 @@
 namespace cleave::mesh {
 
 /// NETGEN: the paper's mesher, best shapes, one region, runs in a child process since it aborts on bad surfaces.
-/// Gmsh: Delaunay, several regions.
+/// Gmsh: Delaunay, several regions in recipes; of a surface it keeps the triangles as they are.
 enum class Mesher { netgen, gmsh };
 
 /// "netgen", "gmsh".
@@ -20,7 +20,7 @@ Mesher mesher_of(const std::string& name);
 /// Name and version, for recipes' texts and provenance.
 std::string version_of(Mesher mesher);
 
-/// Meshes the inside of a surface that passed check_surface() with tets of edge length `size` (m); surface triangles are made anew.
+/// Meshes the inside of a surface that passed check_surface() with tets of edge length `size` (m); NETGEN makes the surface's triangles anew.
 /// All tets have region 1; the boundary faces carry the patch of the input triangle they lie on (nearest, facing the same way).
 /// The same input gives the same bits. Each tet has a positive volume (checked). Throws MeshingError with the mesher's own words.
 TetMesh mesh_surface(const SurfaceMesh& surface, double size, Mesher mesher);

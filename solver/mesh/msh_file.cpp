@@ -2,7 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
-#include "solver/mesh/msh_scanner.hpp"
+#include "solver/mesh/row_scanner.hpp"
 
 #include <fmt/format.h>
 
@@ -47,17 +47,17 @@ struct RawMesh {
     std::map<int, std::string> surface_names;
 };
 
-int small_tag(MshScanner& scan, const char* what) {
+int small_tag(RowScanner& scan, const char* what) {
     const long tag = std::labs(scan.integer(what));  // 4.1 marks a reversed entity by a negative tag
     if (tag > 1'000'000'000) scan.fail(what, "a tag of at most 10^9");
     return static_cast<int>(tag);
 }
 
-void end_section(MshScanner& scan, const std::string& section) {
+void end_section(RowScanner& scan, const std::string& section) {
     if (!scan.next_row() || scan.text() != "$End" + section) scan.fail("$" + section, "$End" + section);
 }
 
-void read_format(MshScanner& scan, RawMesh& raw) {
+void read_format(RowScanner& scan, RawMesh& raw) {
     scan.row("MeshFormat");
     const std::string_view version = scan.text().substr(0, scan.text().find_first_of(" \t"));
     if (version != "2.2" && version != "4.1") scan.fail("MeshFormat", "version 2.2 or 4.1, not " + std::string(version.substr(0, 20)));
@@ -67,7 +67,7 @@ void read_format(MshScanner& scan, RawMesh& raw) {
     end_section(scan, "MeshFormat");
 }
 
-void read_names(MshScanner& scan, RawMesh& raw) {
+void read_names(RowScanner& scan, RawMesh& raw) {
     scan.row("PhysicalNames");
     const std::size_t count = scan.count("number of names");
     for (std::size_t i = 0; i < count; ++i) {
@@ -85,7 +85,7 @@ void read_names(MshScanner& scan, RawMesh& raw) {
     end_section(scan, "PhysicalNames");
 }
 
-void read_entities(MshScanner& scan, RawMesh& raw) {
+void read_entities(RowScanner& scan, RawMesh& raw) {
     scan.row("Entities");
     std::array<std::size_t, 4> counts{};
     for (std::size_t& count : counts) count = scan.count("number of entities");
@@ -101,12 +101,12 @@ void read_entities(MshScanner& scan, RawMesh& raw) {
     end_section(scan, "Entities");
 }
 
-void read_coordinates(MshScanner& scan, RawMesh& raw) {
+void read_coordinates(RowScanner& scan, RawMesh& raw) {
     const double x = scan.real("x"), y = scan.real("y"), z = scan.real("z");
     raw.vertices.emplace_back(x, y, z);
 }
 
-void read_nodes_v2(MshScanner& scan, RawMesh& raw) {
+void read_nodes_v2(RowScanner& scan, RawMesh& raw) {
     scan.row("Nodes");
     const std::size_t count = scan.count("number of nodes");
     raw.vertices.reserve(count);
@@ -119,7 +119,7 @@ void read_nodes_v2(MshScanner& scan, RawMesh& raw) {
     }
 }
 
-void read_nodes_v4(MshScanner& scan, RawMesh& raw) {
+void read_nodes_v4(RowScanner& scan, RawMesh& raw) {
     scan.row("Nodes");
     const std::size_t blocks = scan.count("number of node blocks");
     const std::size_t total = scan.count("number of nodes");
@@ -147,7 +147,7 @@ void read_nodes_v4(MshScanner& scan, RawMesh& raw) {
     }
 }
 
-void read_nodes(MshScanner& scan, RawMesh& raw) {
+void read_nodes(RowScanner& scan, RawMesh& raw) {
     if (std::exchange(raw.has_nodes, true)) scan.fail("Nodes", "one section of nodes");
     raw.format == Format::v2 ? read_nodes_v2(scan, raw) : read_nodes_v4(scan, raw);
     end_section(scan, "Nodes");
@@ -157,14 +157,14 @@ void read_nodes(MshScanner& scan, RawMesh& raw) {
     if (twice != raw.node_tags.end()) scan.fail("Nodes", fmt::format("each node once (tag {} stands twice)", twice->first));
 }
 
-int checked_node_count(MshScanner& scan, long type) {
+int checked_node_count(RowScanner& scan, long type) {
     const int nodes = node_count(type);
     if (nodes == 0) scan.fail("Elements", fmt::format("points, lines, 3-node triangles and 4-node tets, not Gmsh's element type {}", type));
     return nodes;
 }
 
 /// Reads the node tags at the end of an element's row and keeps tets and tagged triangles.
-void read_element_nodes(MshScanner& scan, RawMesh& raw, long type, int nodes, int tag) {
+void read_element_nodes(RowScanner& scan, RawMesh& raw, long type, int nodes, int tag) {
     Element element{.tag = tag, .line = scan.line()};
     for (int node = 0; node < nodes; ++node) element.nodes[node] = scan.integer("node tag of an element");
     scan.end_row("Elements");
@@ -172,7 +172,7 @@ void read_element_nodes(MshScanner& scan, RawMesh& raw, long type, int nodes, in
     if (type == triangle_type && tag != 0) raw.triangles.push_back(element);
 }
 
-void read_elements_v2(MshScanner& scan, RawMesh& raw) {
+void read_elements_v2(RowScanner& scan, RawMesh& raw) {
     scan.row("Elements");
     const std::size_t count = scan.count("number of elements");
     for (std::size_t i = 0; i < count; ++i) {
@@ -190,7 +190,7 @@ void read_elements_v2(MshScanner& scan, RawMesh& raw) {
     }
 }
 
-void read_elements_v4(MshScanner& scan, RawMesh& raw) {
+void read_elements_v4(RowScanner& scan, RawMesh& raw) {
     scan.row("Elements");
     const std::size_t blocks = scan.count("number of element blocks");
     const std::size_t total = scan.count("number of elements");
@@ -214,19 +214,19 @@ void read_elements_v4(MshScanner& scan, RawMesh& raw) {
     if (found != total) scan.fail("Elements", fmt::format("{} elements as the section's head says, not {}", total, found));
 }
 
-void read_elements(MshScanner& scan, RawMesh& raw) {
+void read_elements(RowScanner& scan, RawMesh& raw) {
     raw.format == Format::v2 ? read_elements_v2(scan, raw) : read_elements_v4(scan, raw);
     end_section(scan, "Elements");
 }
 
-void skip_section(MshScanner& scan, const std::string& section) {
+void skip_section(RowScanner& scan, const std::string& section) {
     while (scan.next_row()) {
         if (scan.text() == "$End" + section) return;
     }
     scan.fail("$" + section, "$End" + section + " (the file ends here)");
 }
 
-RawMesh read_sections(MshScanner& scan) {
+RawMesh read_sections(RowScanner& scan) {
     RawMesh raw;
     if (!scan.next_row() || scan.text() != "$MeshFormat") scan.fail("", "a Gmsh .msh file, which starts with $MeshFormat");
     read_format(scan, raw);
@@ -244,7 +244,7 @@ RawMesh read_sections(MshScanner& scan) {
 }
 
 template <std::size_t count>
-std::array<int, count> vertices_of(const RawMesh& raw, const Element& element, const MshScanner& scan) {
+std::array<int, count> vertices_of(const RawMesh& raw, const Element& element, const RowScanner& scan) {
     std::array<int, count> vertices{};
     for (std::size_t i = 0; i < count; ++i) {
         const auto found = std::lower_bound(raw.node_tags.begin(), raw.node_tags.end(), std::pair<long, int>(element.nodes[i], -1));
@@ -256,7 +256,7 @@ std::array<int, count> vertices_of(const RawMesh& raw, const Element& element, c
     return vertices;
 }
 
-TetMesh resolved(RawMesh raw, const MshScanner& scan) {
+TetMesh resolved(RawMesh raw, const RowScanner& scan) {
     if (!raw.has_nodes) throw InputError(scan.name(), "$Nodes", "a section of nodes");
     if (raw.tets.empty()) throw InputError(scan.name(), "$Elements", "at least one 4-node tet (a surface mesh has to be meshed first)");
     TetMesh mesh;
@@ -286,7 +286,7 @@ void append_names(std::string& text, const TetMesh& mesh) {
 }  // namespace
 
 TetMesh parse_msh(std::string_view text, const std::string& name) {
-    MshScanner scan(text, name);
+    RowScanner scan(text, name);
     RawMesh raw = read_sections(scan);
     return resolved(std::move(raw), scan);
 }

@@ -20,6 +20,9 @@ struct SurfaceMesh {
 /// Volume enclosed by a closed surface, m^3: sum over triangles of a . (b x c) / 6 (divergence theorem). Negative where it is inside out.
 double enclosed_volume(const SurfaceMesh& surface);
 
+/// Half the cross product of two edges: the triangle's area times its outward normal, m^2.
+Eigen::Vector3d area_vector(const SurfaceMesh& surface, int triangle);
+
 /// Sum of the triangles' areas, m^2.
 double total_area(const SurfaceMesh& surface);
 

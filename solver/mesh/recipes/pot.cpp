@@ -1,13 +1,10 @@
 #include "solver/mesh/recipes/pot.hpp"
 
-#include "solver/mesh/gmsh_session.hpp"
-#include "solver/mesh/size_tuning.hpp"
-
 #include <fmt/format.h>
 #include <gmsh.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 
 namespace cleave::mesh {
@@ -44,8 +41,18 @@ std::vector<int> add_points(const std::array<ProfilePoint, count>& profile) {
     return points;
 }
 
-/// The profile: foot, outer wall, rim, inner wall, inner floor, and the part of the axis inside the floor.
-int add_profile(const PotShape& shape) {
+std::vector<Region> build(const PotShape& shape) {
+    const int profile = add_pot_profile(shape);
+    gmsh::vectorpair swept;
+    occ::revolve({{2, profile}}, 0, 0, 0, 0, 0, 1, 2 * std::numbers::pi, swept);
+    occ::remove({{2, profile}});
+    const auto volume = std::find_if(swept.begin(), swept.end(), [](const auto& entity) { return entity.first == 3; });
+    return {{"pot", {volume->second}}};
+}
+
+}  // namespace
+
+int add_pot_profile(const PotShape& shape) {
     const std::vector<int> outer = add_points(outer_profile(shape));
     const std::vector<int> inner = add_points(inner_profile(shape));
     const int axis_bottom = occ::addPoint(0, 0, 0);
@@ -56,45 +63,14 @@ int add_profile(const PotShape& shape) {
     return occ::addPlaneSurface({occ::addCurveLoop(curves)});
 }
 
-void build(const PotShape& shape) {
-    const int profile = add_profile(shape);
-    gmsh::vectorpair swept;
-    occ::revolve({{2, profile}}, 0, 0, 0, 0, 0, 1, 2 * std::numbers::pi, swept);
-    occ::remove({{2, profile}});
-    occ::synchronize();
-    gmsh::vectorpair volumes, surfaces;
-    gmsh::model::getEntities(volumes, 3);
-    gmsh::model::addPhysicalGroup(3, {volumes.at(0).second}, 1);
-    gmsh::model::setPhysicalName(3, 1, "pot");
-    gmsh::model::getBoundary(volumes, surfaces, true, false);
-    std::vector<int> tags;
-    for (const auto& [unused, tag] : surfaces) tags.push_back(tag);
-    gmsh::model::addPhysicalGroup(2, tags, 1);
-    gmsh::model::setPhysicalName(2, 1, "outside");
+OccBody pot_body(const PotShape& s) {
+    return {"pot", fmt::format("2 height {:.17g} foot {:.17g} belly {:.17g} neck {:.17g} rim {:.17g} wall {:.17g}", s.height, s.foot_radius,
+                               s.belly_radius, s.neck_radius, s.rim_radius, s.wall),
+            [s] { return build(s); }, s.wall, s.wall};
 }
 
-std::string recipe_text(int target, const PotShape& s) {
-    return fmt::format("pot 1: target {} height {:.17g} foot {:.17g} belly {:.17g} neck {:.17g} rim {:.17g} wall {:.17g}, gmsh {}", target,
-                       s.height, s.foot_radius, s.belly_radius, s.neck_radius, s.rim_radius, s.wall, GmshSession::version());
-}
-
-TetMesh meshed(const PotShape& shape, int target) {
-    const GmshSession gmsh_session;
-    gmsh_session.new_model("pot");
-    gmsh_session.run([&] { build(shape); });
-    const auto make = [&](double size) {
-        gmsh_session.run([] { gmsh::model::mesh::clear(); });
-        gmsh_session.set_uniform_size(size);
-        gmsh_session.generate();
-        return gmsh_session.take_mesh();
-    };
-    return tune_count(make, shape.wall, target).mesh;
-}
-
-}  // namespace
-
-Body pot(int target_count, const std::filesystem::path& cache, const PotShape& shape) {
-    return cached_body("pot", recipe_text(target_count, shape), target_count, cache, [&] { return meshed(shape, target_count); });
+Body pot(int target_count, const std::filesystem::path& cache, const PotShape& shape, Mesher mesher) {
+    return mesh_occ_body(pot_body(shape), {target_count, mesher}, cache);
 }
 
 }  // namespace cleave::mesh

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/mesh/recipes/body.hpp"
+#include "solver/mesh/recipes/occ_body.hpp"
 
 #include <filesystem>
 
@@ -17,8 +17,13 @@ struct PotShape {
     double wall = 0.014;
 };
 
-/// The pot as tets, region 1 "pot", surface 1 "outside" (the whole surface), meshed by Gmsh (Delaunay) to within 2 % of `target_count`.
-/// `cache`: folder of stored meshes, empty for none. Throws MeshingError.
-Body pot(int target_count = 6163, const std::filesystem::path& cache = {}, const PotShape& shape = {});
+/// Leaves the profile as a plane face of the current Gmsh model (plane y = 0, x >= 0) and gives its tag: foot, outer wall, rim, inner wall, inner
+/// floor, and the part of the axis inside the floor.
+int add_pot_profile(const PotShape& shape);
+
+OccBody pot_body(const PotShape& shape);
+
+/// The pot as tets, to within 2 % of `target_count` (mesh_occ_body). Throws MeshingError.
+Body pot(int target_count = 6163, const std::filesystem::path& cache = {}, const PotShape& shape = {}, Mesher mesher = Mesher::gmsh);
 
 }  // namespace cleave::mesh

@@ -1,4 +1,4 @@
-#include "solver/mesh/msh_scanner.hpp"
+#include "solver/mesh/row_scanner.hpp"
 
 #include "solver/input/input_error.hpp"
 
@@ -30,9 +30,9 @@ bool parse(std::string_view word, Number& value) {
 
 }  // namespace
 
-MshScanner::MshScanner(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+RowScanner::RowScanner(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
-bool MshScanner::next_row() {
+bool RowScanner::next_row() {
     while (position_ < text_.size()) {
         const std::size_t end = std::min(text_.find('\n', position_), text_.size());
         row_ = trimmed(text_.substr(position_, end - position_));
@@ -44,12 +44,16 @@ bool MshScanner::next_row() {
     return false;
 }
 
-void MshScanner::row(const char* what) {
+void RowScanner::needed_row(const char* what) {
     if (!next_row()) fail(what, "more rows (the file ends here)");
+}
+
+void RowScanner::row(const char* what) {
+    needed_row(what);
     if (row_.front() == '$') fail(what, "more rows (the section ends here)");
 }
 
-std::string_view MshScanner::word() {
+std::string_view RowScanner::word() {
     rest_ = trimmed(rest_);
     const std::size_t end = std::min(rest_.find_first_of(blanks), rest_.size());
     const std::string_view found = rest_.substr(0, end);
@@ -57,21 +61,23 @@ std::string_view MshScanner::word() {
     return found;
 }
 
-long MshScanner::integer(const char* what) {
+std::string_view RowScanner::rest() { return rest_ = trimmed(rest_); }
+
+long RowScanner::integer(const char* what) {
     long value = 0;
     const std::string_view text = word();
     if (!parse(text, value)) fail(what, "an integer, not '" + std::string(text.substr(0, 40)) + "'");
     return value;
 }
 
-double MshScanner::real(const char* what) {
+double RowScanner::real(const char* what) {
     double value = 0;
     const std::string_view text = word();
     if (!parse(text, value) || !std::isfinite(value)) fail(what, "a finite number, not '" + std::string(text.substr(0, 40)) + "'");
     return value;
 }
 
-std::size_t MshScanner::count(const char* what) {
+std::size_t RowScanner::count(const char* what) {
     const long value = integer(what);
     const std::size_t left = text_.size() - std::min(position_, text_.size()) + rest_.size();
     if (value < 0) fail(what, "a count of at least 0, not " + std::to_string(value));
@@ -80,12 +86,12 @@ std::size_t MshScanner::count(const char* what) {
     return found;
 }
 
-void MshScanner::end_row(const char* what) {
+void RowScanner::end_row(const char* what) {
     if (const std::string_view text = word(); !text.empty()) {
         fail(what, "the end of the row, not '" + std::string(text.substr(0, 40)) + "'");
     }
 }
 
-void MshScanner::fail(const std::string& key, const std::string& expected) const { throw InputError(name_, line_, key, expected); }
+void RowScanner::fail(const std::string& key, const std::string& expected) const { throw InputError(name_, line_, key, expected); }
 
 }  // namespace cleave::mesh

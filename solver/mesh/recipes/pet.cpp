@@ -1,0 +1,66 @@
+#include "solver/mesh/recipes/pet.hpp"
+
+#include <Eigen/Core>
+#include <fmt/format.h>
+#include <gmsh.h>
+
+namespace cleave::mesh {
+namespace {
+
+namespace occ = gmsh::model::occ;
+using Part = std::pair<int, int>;
+
+/// Everything below is in parts of the body's length; the walls are not.
+class PetBuilder {
+public:
+    explicit PetBuilder(const PetShape& shape) : shape_(shape) {}
+
+    int build() const {
+        gmsh::vectorpair outer{body(0), head(0), tail(), ear(1), ear(-1)};
+        for (const double x : {-0.24, 0.24}) {
+            for (const double side : {-1.0, 1.0}) outer.push_back(leg(x, side));
+        }
+        const Part solid = fused(outer), cavity = fused({body(shape_.wall), head(shape_.wall)});
+        gmsh::vectorpair hollow;
+        std::vector<gmsh::vectorpair> unused;
+        occ::cut({solid}, {cavity}, hollow, unused);
+        return hollow.at(0).second;
+    }
+
+private:
+    Part ellipsoid(const Eigen::Vector3d& centre, const Eigen::Vector3d& axes, double inset) const {
+        const Eigen::Vector3d c = shape_.length * centre, a = shape_.length * axes - Eigen::Vector3d::Constant(inset);
+        const Part sphere{3, occ::addSphere(c[0], c[1], c[2], 1)};
+        occ::dilate({sphere}, c[0], c[1], c[2], a[0], a[1], a[2]);
+        return sphere;
+    }
+
+    Part cylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& along, double radius) const {
+        const Eigen::Vector3d f = shape_.length * from, a = shape_.length * along;
+        return {3, occ::addCylinder(f[0], f[1], f[2], a[0], a[1], a[2], shape_.length * radius)};
+    }
+
+    Part body(double inset) const { return ellipsoid({0, 0, 0.48}, {0.5, 0.29, 0.27}, inset); }
+    Part head(double inset) const { return ellipsoid({0.53, 0, 0.80}, {0.24, 0.22, 0.22}, inset); }
+    Part ear(double side) const { return cylinder({0.50, 0.11 * side, 0.92}, {-0.04, 0.08 * side, 0.22}, 0.055); }
+    Part leg(double x, double side) const { return cylinder({x, 0.15 * side, 0}, {0, 0, 0.40}, 0.08); }
+    Part tail() const { return cylinder({-0.44, 0, 0.52}, {-0.30, 0, 0.20}, 0.05); }
+
+    static Part fused(const gmsh::vectorpair& parts) {
+        gmsh::vectorpair result;
+        std::vector<gmsh::vectorpair> unused;
+        occ::fuse({parts.front()}, {parts.begin() + 1, parts.end()}, result, unused);
+        return result.at(0);
+    }
+
+    const PetShape& shape_;
+};
+
+}  // namespace
+
+OccBody pet_body(const PetShape& s) {
+    return {"pet", fmt::format("1 length {:.17g} wall {:.17g}", s.length, s.wall),
+            [s] { return std::vector<Region>{{"pet", {PetBuilder(s).build()}}}; }, s.wall / 1.5, 0};
+}
+
+}  // namespace cleave::mesh

@@ -19,7 +19,8 @@ using Imported = std::variant<TetMesh, SurfaceMesh>;
 /// .vtu  tets, or triangles where there are none (VTK XML: ASCII, base64, appended; zlib)
 /// .stl  triangles (ASCII or binary; equal points become one vertex)
 /// .obj  triangles and quads (groups become patches)
-/// Tets that the file gives inverted throughout (all of them) are turned over; a mixture is an error. Throws InputError (file, line
+/// Tets that a file other than .msh gives inverted throughout are turned over; a mixture is an error. A surface without patches is parted at
+/// its sharp edges (split_at_sharp_edges). Throws InputError (file, line
 /// where there is one, what was expected). Tets have passed check(), surfaces check_surface().
 Imported import_mesh(const std::filesystem::path& file);
 

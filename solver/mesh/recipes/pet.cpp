@@ -42,9 +42,9 @@ private:
 
     Part body(double inset) const { return ellipsoid({0, 0, 0.48}, {0.5, 0.29, 0.27}, inset); }
     Part head(double inset) const { return ellipsoid({0.53, 0, 0.80}, {0.24, 0.22, 0.22}, inset); }
-    Part ear(double side) const { return cylinder({0.50, 0.11 * side, 0.92}, {-0.04, 0.08 * side, 0.22}, 0.055); }
-    Part leg(double x, double side) const { return cylinder({x, 0.15 * side, 0}, {0, 0, 0.40}, 0.08); }
-    Part tail() const { return cylinder({-0.44, 0, 0.52}, {-0.30, 0, 0.20}, 0.05); }
+    Part ear(double side) const { return cylinder({0.52, 0.05 * side, 0.86}, {-0.05, 0.14 * side, 0.26}, 0.055); }
+    Part leg(double x, double side) const { return cylinder({x, 0.11 * side, 0}, {0, 0, 0.40}, 0.07); }
+    Part tail() const { return cylinder({-0.40, 0, 0.52}, {-0.34, 0, 0.20}, 0.05); }
 
     static Part fused(const gmsh::vectorpair& parts) {
         gmsh::vectorpair result;

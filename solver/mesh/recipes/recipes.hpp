@@ -22,6 +22,7 @@ struct RecipeInfo {
 
 /// pot, window, pet, tai_chi.
 const std::vector<RecipeInfo>& recipes();
+std::vector<std::string> recipe_names();
 
 /// Where a body's tets come from: the keys `recipe`, `mesh` or `surface` of a scene's [[body]].
 struct BodySource {

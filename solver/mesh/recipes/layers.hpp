@@ -13,6 +13,7 @@ struct Layers {
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of any length
     double thickness = 0;                               ///< m
     std::vector<double> angles;                         ///< radians; at least one
+    friend bool operator==(const Layers&, const Layers&) = default;
 };
 
 }  // namespace cleave::mesh

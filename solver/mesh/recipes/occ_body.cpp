@@ -43,7 +43,6 @@ TetMesh meshed_by_gmsh(const OccBody& body, const OccRequest& request) {
         session.run([] { gmsh::model::mesh::clear(); });
         session.set_uniform_size(size);
         session.generate();
-        session.run([] { gmsh::model::mesh::optimize(""); });
         return session.take_mesh();
     };
     return tune_count(make, body.first_size, request.target).mesh;

@@ -58,7 +58,9 @@ Body file_body(const BodySource& source, const std::filesystem::path& cache) {
     auto& tets = std::get<TetMesh>(imported);
     const int count = static_cast<int>(tets.tets.size());
     if (source.particles > 0 || source.mesher) throw InputError(source.file.string(), "", "a surface: these are tets already, whose count cannot be chosen");
-    return cached_body("imported", source.file.string(), count, {}, [&] { return std::move(tets); });
+    Body body = cached_body("imported", source.file.string(), count, {}, [&] { return std::move(tets); });
+    body.record.target = 0;  // nobody asked for a count
+    return body;
 }
 
 double read_angle(TableReader& table, const std::string& text) {

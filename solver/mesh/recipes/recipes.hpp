@@ -31,6 +31,7 @@ struct BodySource {
     int particles = 0;             ///< tets asked for, within 2 %; 0: the recipe's own count; for a surface: 5000; for tets as they are
     std::optional<Mesher> mesher;  ///< none: the recipe's own; NETGEN for a surface
     std::optional<Layers> layers;  ///< cuts a recipe's body into layers (Sect. 5.1); by Gmsh
+    friend bool operator==(const BodySource&, const BodySource&) = default;
 };
 
 /// Reads exactly one of

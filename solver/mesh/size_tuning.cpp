@@ -11,6 +11,9 @@ namespace {
 
 constexpr int most_rounds = 7;
 constexpr double near_enough = 0.005;
+/// Some meshers' counts jump with the size: a miss of more than 2 % is worth as many rounds again.
+constexpr int most_rounds_of_a_miss = 14;
+constexpr double miss = 0.0198;  ///< of the logarithm: 2 % at most
 
 /// (log of the size, log of count / target)
 struct Trial {
@@ -32,7 +35,7 @@ TunedMesh tune_count(const std::function<TetMesh(double size)>& make, double fir
     double best_miss = 0;
     std::optional<Trial> too_many, too_few;
     double log_size = std::log(first_size);
-    for (int round = 1; round <= most_rounds; ++round) {
+    for (int round = 1; round <= (best_miss > miss ? most_rounds_of_a_miss : most_rounds); ++round) {
         TetMesh mesh = make(std::exp(log_size));
         const Trial trial{log_size, std::log(static_cast<double>(mesh.tets.size()) / target)};
         (trial.log_ratio > 0 ? too_many : too_few) = trial;

@@ -13,7 +13,8 @@ struct TunedMesh {
     int rounds = 0;    ///< meshes made
 };
 
-/// Meshes at sizes h until the count n is within 0.5 % of `target`, or for 7 rounds, and keeps the nearest: first
+/// Meshes at sizes h until the count n is within 0.5 % of `target`, or for 7 rounds (14 while the nearest misses by more than 2 %), and keeps the
+/// nearest: first
 /// h <- h (n / target)^(1/2.5) (between a surface's exponent 2 and a solid's 3), then, once the target is bracketed,
 /// interpolation of log h in log n, kept 10 % inside the bracket. Deterministic if `make` is.
 TunedMesh tune_count(const std::function<TetMesh(double size)>& make, double first_size, int target);

@@ -11,6 +11,8 @@ enum class Level { quick, full };
 struct ProgramOptions {
     std::filesystem::path out;       ///< JSON file; empty: none
     std::string filter = ".";        ///< regular expression over names
+    std::filesystem::path baseline;  ///< JSON file of an earlier run to compare with; empty: none
+    std::filesystem::path from;      ///< JSON file to compare instead of running; empty: run
     Level level = Level::quick;
     std::vector<std::string> rest;   ///< for Google Benchmark
     bool help = false;

@@ -1,103 +1,22 @@
-#include "benchmarks/subdivision_benchmarks.hpp"
-
-#include "benchmarks/subdivision_work.hpp"
+#include "benchmarks/engine_bench.hpp"
+#include "benchmarks/rows.hpp"
 #include "benchmarks/timing.hpp"
 #include "solver/subdivision/plain_subdivision.hpp"
-#include "solver/subdivision/subdivision_engine.hpp"
+
+#ifdef CLEAVE_PEERS
+#include "benchmarks/peers/vtk_clip.hpp"
+#endif
 
 #include <benchmark/benchmark.h>
 
-#include <functional>
 #include <memory>
-#include <stdexcept>
 
 namespace cleave::benchmarks {
 namespace {
 
-/// Table 1 and Table 2 of the paper for one scenario, on an Intel Xeon W3530 of 2010.
-struct PaperRow {
-    double milliseconds;
-    double particles_after;
-    double added;
-    double per_added() const { return milliseconds / added; }
-};
-constexpr PaperRow paper_pot{2869, 15717, 15717 - 6163};
-
-/// Makes a case once, at its first use, and keeps it for all benchmarks that share it.
-class LazyCase {
-public:
-    explicit LazyCase(std::function<SubdivisionCase()> make) : make_(std::move(make)) {}
-    const SubdivisionCase& get() {
-        if (!made_) made_ = std::make_unique<SubdivisionCase>(make_());
-        return *made_;
-    }
-
-private:
-    std::function<SubdivisionCase()> make_;
-    std::unique_ptr<SubdivisionCase> made_;
-};
-
-/// An engine set up for a case, and its extra links.
-struct Bench {
-    explicit Bench(const SubdivisionCase& source) : body(source), engine(source.mesh) { run(); }
-    void run() {
-        engine.cut(body.cut);
-        engine.find_extra_links(extra_links);
-    }
-    PureStores stores() const { return {static_cast<int>(engine.child_tets().size()), static_cast<int>(engine.points().size())}; }
-
-    const SubdivisionCase& body;
-    subdivision::SubdivisionEngine engine;
-    std::vector<subdivision::ExtraLink> extra_links;
-};
-
-void count_work(benchmark::State& state, const Bench& bench) {
-    const subdivision::Counts& counts = bench.engine.counts();
-    const std::size_t after = static_cast<std::size_t>(counts.uncut) + bench.engine.child_tets().size();
-    if (static_cast<int>(after) != counts.after()) throw std::logic_error("subdivision: particles after are not uncut + 14 n31 + 20 n22");
-    state.counters["particles_before"] = static_cast<double>(bench.body.mesh.tets.size());
-    state.counters["particles_after"] = static_cast<double>(after);
-    state.counters["uncut"] = counts.uncut;
-    state.counters["n31"] = counts.three_one;
-    state.counters["n22"] = counts.two_two;
-    state.counters["extra_links"] = static_cast<double>(bench.extra_links.size());
-}
-
-constexpr int most_passes = 201;
-/// Rows of microseconds want more passes than rows of milliseconds.
-int passes_for(const SubdivisionCase& body) { return body.mesh.tets.size() < 20'000 ? most_passes : 21; }
-
-double children(const Bench& bench) { return static_cast<double>(bench.engine.child_tets().size()); }
-
-// Each row that takes turns does its own passes, so Google Benchmark runs it once (Iterations(1)).
-
-/// The paper's row: children with all links, one thread; the set-up, made once per body, stands beside it.
-void table2(benchmark::State& state, LazyCase& source, const PaperRow& paper) {
-    const SubdivisionCase& body = source.get();
-    std::unique_ptr<Bench> bench;
-    const double setup = seconds_of([&] { bench = std::make_unique<Bench>(body); });
-    std::vector<double> seconds;
-    for (auto _ : state) {
-        for (int pass = 0; pass < passes_for(body); ++pass) {
-            bench->engine.reset();
-            seconds.push_back(seconds_of([&] { bench->run(); }));
-        }
-        state.SetIterationTime(median(seconds));
-    }
-    count_work(state, *bench);
-    const double milliseconds = 1000 * median(seconds);
-    const subdivision::Counts& counts = bench->engine.counts();
-    state.counters["milliseconds"] = milliseconds;
-    state.counters["milliseconds_per_added"] = milliseconds / (13 * counts.three_one + 19 * counts.two_two);
-    state.counters["setup_milliseconds"] = 1000 * setup;
-    state.counters["paper_milliseconds"] = paper.milliseconds;
-    state.counters["paper_milliseconds_per_added"] = paper.per_added();
-    state.counters["paper_particles_after"] = paper.particles_after;
-}
-
 /// The engine, warm, in turns with pure stores of the same output.
 void engine_beside_stores(benchmark::State& state, LazyCase& source) {
-    Bench bench(source.get());
+    EngineBench bench(source.get());
     PureStores stores = bench.stores();
     const auto store = [&] {
         stores.run();
@@ -105,32 +24,74 @@ void engine_beside_stores(benchmark::State& state, LazyCase& source) {
     };
     PairedTimes times;
     for (auto _ : state) {
-        times = paired_times([&] { bench.run(); }, store, passes_for(bench.body), [&] { bench.engine.reset(); });
+        times = paired_times([&] { bench.run(); }, store, passes_for(source.get().mesh), [&] { bench.engine.reset(); });
         state.SetIterationTime(times.first);
     }
     count_work(state, bench);
     state.counters["ratio_to_stores"] = times.ratio;
-    state.counters["nanoseconds_per_child"] = 1e9 * times.first / children(bench);
-    state.counters["stores_nanoseconds_per_child"] = 1e9 * times.second / children(bench);
+    state.counters["noise_to_stores"] = times.noise;
+    state.counters["nanoseconds_per_child"] = 1e9 * times.first / bench.children();
+    state.counters["stores_nanoseconds_per_child"] = 1e9 * times.second / bench.children();
+}
+
+/// The first cut of a new engine, whose memory was never written (cold), in turns with a later one (warm).
+void engine_cold(benchmark::State& state, LazyCase& source) {
+    EngineBench warm(source.get());
+    std::unique_ptr<subdivision::SubdivisionEngine> cold;
+    std::vector<subdivision::ExtraLink> links;
+    const auto first_cut = [&] {
+        cold->cut(warm.cut);
+        cold->find_extra_links(links);
+    };
+    PairedTimes times;
+    for (auto _ : state) {
+        times = paired_times(first_cut, [&] { warm.run(); }, source.get().mesh.tets.size() < 20'000 ? 21 : 5, [&] {
+            cold = std::make_unique<subdivision::SubdivisionEngine>(source.get().mesh);
+            links = {};
+            warm.engine.reset();
+        });
+        state.SetIterationTime(times.first);
+    }
+    count_work(state, warm);
+    state.counters["ratio_to_warm"] = times.ratio;
+    state.counters["noise_to_warm"] = times.noise;
+    state.counters["nanoseconds_per_child"] = 1e9 * times.first / warm.children();
+}
+
+/// One thread in turns with two, on the wall.
+void two_threads(benchmark::State& state, LazyCase& source) {
+    EngineBench one(source.get()), two(source.get(), source.get().cut, 2);
+    PairedTimes times;
+    for (auto _ : state) {
+        times = paired_times([&] { one.run(); }, [&] { two.run(); }, 41, [&] {
+            one.engine.reset();
+            two.engine.reset();
+        }, wall_seconds_of);
+        state.SetIterationTime(times.second);
+    }
+    count_work(state, two);
+    state.counters["speedup_over_one_thread"] = times.ratio;
+    state.counters["noise_over_one_thread"] = times.noise;
 }
 
 /// The plain form (set-up, cut, links) in turns with the engine (set-up, cut, links).
 void plain_beside_engine(benchmark::State& state, LazyCase& source) {
     const SubdivisionCase& body = source.get();
-    Bench warm(body);
+    EngineBench warm(body);
     PairedTimes times;
     for (auto _ : state) {
         times = paired_times([&] { benchmark::DoNotOptimize(subdivision::subdivide(body.mesh, {body.cut})); },
-                             [&] { benchmark::DoNotOptimize(Bench(body).extra_links.data()); }, 21);
+                             [&] { benchmark::DoNotOptimize(EngineBench(body).extra_links.data()); }, 21);
         state.SetIterationTime(times.first);
     }
     count_work(state, warm);
-    state.counters["ratio_to_engine_with_setup"] = times.ratio;
+    state.counters["speedup_over_plain_with_setup"] = times.ratio;
+    state.counters["noise_over_plain_with_setup"] = times.noise;
 }
 
 /// The floor alone.
 void pure_stores(benchmark::State& state, LazyCase& source) {
-    const Bench bench(source.get());
+    const EngineBench bench(source.get());
     PureStores stores = bench.stores();
     for (auto _ : state) {
         stores.run();
@@ -141,66 +102,113 @@ void pure_stores(benchmark::State& state, LazyCase& source) {
     state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * stores.bytes()));
 }
 
-/// One disc of fixed size in a small body and in a large one, in turns: what a crack costs must not depend on the body.
-void fixed_disc(benchmark::State& state, LazyCase& large, LazyCase& small) {
-    Bench bench(large.get()), other(small.get());
+/// One disc of fixed size in a large body and in a small one, in turns: what a crack costs must not depend on the body.
+void fixed_disc(benchmark::State& state, LazyCase& large, int cells, LazyCase& small, int small_cells) {
+    EngineBench bench(large.get(), fixed_disc_in(cells)), other(small.get(), fixed_disc_in(small_cells));
     PairedTimes times;
     for (auto _ : state) {
-        times = paired_times([&] { bench.run(); }, [&] { other.run(); }, most_passes, [&] {
+        times = paired_times([&] { bench.run(); }, [&] { other.run(); }, 401, [&] {
             bench.engine.reset();
             other.engine.reset();
         });
         state.SetIterationTime(times.first);
     }
     count_work(state, bench);
-    state.counters["ratio_to_small_body_per_child"] = times.ratio * children(other) / children(bench);
+    state.counters["ratio_to_small_body_per_child"] = times.ratio * other.children() / bench.children();
+    state.counters["noise_to_small_body_per_child"] = times.noise;
+    state.counters["microseconds"] = 1e6 * times.first;
+    state.counters["microseconds_in_small_body"] = 1e6 * times.second;
 }
 
 /// Sort, number, link: what a body costs once.
 void set_up(benchmark::State& state, LazyCase& source) {
     const SubdivisionCase& body = source.get();
-    for (auto _ : state) benchmark::DoNotOptimize(subdivision::SubdivisionEngine(body.mesh).counts());
+    std::vector<double> seconds;
+    for (auto _ : state) {
+        for (int pass = 0; pass < (body.mesh.tets.size() < 200'000 ? 7 : 3); ++pass) {
+            seconds.push_back(seconds_of([&] { benchmark::DoNotOptimize(subdivision::SubdivisionEngine(body.mesh).counts()); }));
+        }
+        state.SetIterationTime(median(seconds));
+    }
     state.counters["particles_before"] = static_cast<double>(body.mesh.tets.size());
-    state.counters["nanoseconds_per_tet"] = benchmark::Counter(
-        1e-9 * static_cast<double>(body.mesh.tets.size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["nanoseconds_per_tet"] = 1e9 * median(seconds) / static_cast<double>(body.mesh.tets.size());
 }
+
+#ifdef CLEAVE_PEERS
+/// VTK's clip of the same body by the same plane, both sides, in turns with the engine, both warm.
+void vtk_beside_engine(benchmark::State& state, LazyCase& source) {
+    EngineBench bench(source.get());
+    VtkClip vtk(source.get().mesh);
+    PairedTimes times;
+    for (auto _ : state) {
+        times = paired_times([&] { vtk.clip(bench.cut); }, [&] { bench.run(); }, source.get().mesh.tets.size() < 200'000 ? 21 : 5,
+                             [&] { bench.engine.reset(); });
+        state.SetIterationTime(times.first);
+    }
+    count_work(state, bench);
+    state.counters["vtk_cells"] = static_cast<double>(vtk.cells());
+    state.counters["speedup_over_vtk"] = times.ratio;
+    state.counters["noise_over_vtk"] = times.noise;
+    state.counters["vtk_milliseconds"] = 1e3 * times.first;
+    state.counters["milliseconds"] = 1e3 * times.second;
+}
+
+/// The same from the raw mesh, once: VTK's grid and clip, our set-up and cut.
+void vtk_one_shot(benchmark::State& state, LazyCase& source) {
+    const SubdivisionCase& body = source.get();
+    EngineBench counted(body);
+    PairedTimes times;
+    for (auto _ : state) {
+        times = paired_times([&] { VtkClip(body.mesh).clip(body.cut); },
+                             [&] { benchmark::DoNotOptimize(EngineBench(body).extra_links.data()); }, body.mesh.tets.size() < 200'000 ? 21 : 3);
+        state.SetIterationTime(times.first);
+    }
+    count_work(state, counted);
+    state.counters["speedup_over_vtk_one_shot"] = times.ratio;
+    state.counters["noise_over_vtk_one_shot"] = times.noise;
+    state.counters["vtk_milliseconds"] = 1e3 * times.first;
+    state.counters["milliseconds"] = 1e3 * times.second;
+}
+#endif
 
 using Row = void (*)(benchmark::State&, LazyCase&);
 
-void add_row(const std::string& name, const std::shared_ptr<LazyCase>& body, Row row) {
-    benchmark::RegisterBenchmark(name.c_str(), [body, row](benchmark::State& state) { row(state, *body); })
-        ->UseManualTime()->Iterations(1)->Unit(benchmark::kMicrosecond);
-}
-
 void register_body(const std::string& name, const std::shared_ptr<LazyCase>& body) {
-    add_row("subdivision/engine/" + name, body, engine_beside_stores);
+    const auto add = [&](const char* kind, Row row) {
+        add_row("subdivision/" + std::string(kind) + "/" + name, [body, row](benchmark::State& state) { row(state, *body); });
+    };
+    add("engine", engine_beside_stores);
+    add("setup", set_up);
+    add("cold", engine_cold);
+#ifdef CLEAVE_PEERS
+    add("vtk", vtk_beside_engine);
+    add("vtk_one_shot", vtk_one_shot);
+#endif
     benchmark::RegisterBenchmark(("subdivision/stores/" + name).c_str(), [body](benchmark::State& state) { pure_stores(state, *body); })
         ->Unit(benchmark::kMicrosecond);
-    benchmark::RegisterBenchmark(("subdivision/setup/" + name).c_str(), [body](benchmark::State& state) { set_up(state, *body); })
-        ->Unit(benchmark::kMillisecond);
+}
+
+/// A cube's rows, those of its fixed disc and of two threads among them.
+void register_cube(const std::string& name, int cells, Bodies& bodies) {
+    constexpr int small_cells = 10;
+    const auto body = bodies.cube(cells), small = bodies.cube(small_cells);
+    register_body(name, body);
+    if (cells == small_cells) return;
+    add_row("subdivision/disc/" + name, [=](benchmark::State& state) { fixed_disc(state, *body, cells, *small, small_cells); });
+    add_row("subdivision/two_threads/" + name, [body](benchmark::State& state) { two_threads(state, *body); });
 }
 
 }  // namespace
 
-void register_subdivision(Level level) {
-    const auto pot = std::make_shared<LazyCase>(pot_case);
-    benchmark::RegisterBenchmark("table2/pot", [pot](benchmark::State& state) { table2(state, *pot, paper_pot); })
-        ->UseManualTime()->Iterations(1)->Unit(benchmark::kMicrosecond);
+void register_subdivision(Level level, Bodies& bodies) {
+    const auto pot = bodies.pot();
     register_body("pot", pot);
-    add_row("subdivision/plain/pot", pot, plain_beside_engine);
-    const auto small_disc = std::make_shared<LazyCase>([] { return fixed_disc_case(10); });
-    const auto add_disc = [&](const std::string& name, SubdivisionCase (*make)()) {
-        const auto large = std::make_shared<LazyCase>(make);
-        const auto row = [=](benchmark::State& state) { fixed_disc(state, *large, *small_disc); };
-        benchmark::RegisterBenchmark(("subdivision/disc/" + name).c_str(), row)
-            ->UseManualTime()->Iterations(1)->Unit(benchmark::kMicrosecond);
-    };
-    register_body("cube_6k", std::make_shared<LazyCase>([] { return cube_case(10); }));
-    register_body("cube_83k", std::make_shared<LazyCase>([] { return cube_case(24); }));
-    add_disc("cube_83k", [] { return fixed_disc_case(24); });
+    add_row("subdivision/plain/pot", [pot](benchmark::State& state) { plain_beside_engine(state, *pot); });
+    register_cube("cube_6k", 10, bodies);
+    register_cube("cube_83k", 24, bodies);
     if (level == Level::quick) return;
-    register_body("cube_945k", std::make_shared<LazyCase>([] { return cube_case(54); }));
-    add_disc("cube_945k", [] { return fixed_disc_case(54); });
+    register_cube("cube_945k", 54, bodies);
+    register_cube("cube_4.7m", 92, bodies);
 }
 
 }  // namespace cleave::benchmarks

@@ -17,12 +17,8 @@ SubdivisionCase cube_case(int cells) {
             {.centre = {0.5, 0.5, 0.5}, .normal = {1, 0.4, 0.3}}};
 }
 
-SubdivisionCase fixed_disc_case(int cells) {
-    SubdivisionCase body = cube_case(cells);
-    for (Eigen::Vector3d& vertex : body.mesh.vertices) vertex *= cells;
-    body.cut.centre = Eigen::Vector3d::Constant(cells / 2 + 0.3);  // at the same place of a cell in every cube
-    body.cut.radius = 2.2;
-    return body;
+subdivision::Cut fixed_disc_in(int cells) {
+    return {.centre = Eigen::Vector3d::Constant((cells / 2 + 0.3) / cells), .normal = {1, 0.4, 0.3}, .radius = 2.2 / cells};
 }
 
 PureStores::PureStores(int children, int points)

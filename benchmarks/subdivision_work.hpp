@@ -24,8 +24,8 @@ SubdivisionCase pot_case();
 /// its middle.
 SubdivisionCase cube_case(int cells);
 
-/// The cube, of cells of unit size, and a disc of radius 2.2 cells at its middle: the same crack in bodies of any size.
-SubdivisionCase fixed_disc_case(int cells);
+/// A disc of radius 2.2 cells at the cube's middle, at the same place of a cell: the same crack in cubes of any number of cells.
+subdivision::Cut fixed_disc_in(int cells);
 
 /// What a subdivision of this size writes, and nothing else: connectivity (16 bytes a child), links (16), centroid (24), volume
 /// (8), parent (4), child by child as a subdivision does, and 24 bytes a new point. The floor under every subdivision on this machine.

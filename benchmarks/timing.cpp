@@ -1,7 +1,10 @@
 #include "benchmarks/timing.hpp"
 
+#include <time.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 namespace cleave::benchmarks {
@@ -14,23 +17,41 @@ double median(std::vector<double> values) {
 }
 
 double seconds_of(const std::function<void()>& work) {
+    const auto now = [] {
+        timespec time{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    };
+    const double start = now();
+    work();
+    return now() - start;
+}
+
+double wall_seconds_of(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+double relative_noise(std::vector<double> values) {
+    const double middle = median(values);
+    std::sort(values.begin(), values.end());
+    const double quartiles = values[3 * (values.size() - 1) / 4] - values[(values.size() - 1) / 4];
+    return 0.5 * quartiles / std::sqrt(static_cast<double>(values.size())) / middle;
+}
+
 PairedTimes paired_times(const std::function<void()>& first, const std::function<void()>& second, int passes,
-                         const std::function<void()>& prepare) {
+                         const std::function<void()>& prepare, double (*clock)(const std::function<void()>&)) {
     std::vector<double> firsts, seconds, ratios;
     for (int pass = 0; pass <= passes; ++pass) {
         prepare();
-        const double a = seconds_of(first), b = seconds_of(second);
+        const double a = clock(first), b = clock(second);
         if (pass == 0) continue;
         firsts.push_back(a);
         seconds.push_back(b);
         ratios.push_back(a / b);
     }
-    return {median(firsts), median(seconds), median(ratios)};
+    return {median(firsts), median(seconds), median(ratios), relative_noise(ratios)};
 }
 
 }  // namespace cleave::benchmarks

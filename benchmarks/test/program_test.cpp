@@ -50,7 +50,9 @@ TEST_F(Program, EveryBenchmarkRunsOnceAndCountsItsWork) {
         EXPECT_EQ(row["particles_before"].get<double>(), row["uncut"].get<double>() + row["n31"].get<double>() + row["n22"].get<double>());
     }
     for (const std::string name : {"table2/pot", "subdivision/plain/pot", "subdivision/stores/pot", "subdivision/engine/cube_6k",
-                                   "subdivision/disc/cube_83k", "subdivision/setup/pot"}) {
+                                   "subdivision/disc/cube_83k", "subdivision/setup/pot", "subdivision/cold/pot",
+                                   "subdivision/two_threads/cube_83k", "table2/pots", "table2/complexity", "fragments/adaptive/cube_945k",
+                                   "fragments/basic/cube_83k"}) {
         const bool found = std::any_of(names.begin(), names.end(), [&](const std::string& full) { return full.starts_with(name); });
         EXPECT_TRUE(found) << name;
     }
@@ -74,8 +76,27 @@ TEST_F(Program, Table2StandsBesideThePapersNumbersAndNamesNoHost) {
     EXPECT_NEAR(row["milliseconds_per_added"].get<double>(), row["milliseconds"].get<double>() / added, 1e-9);
 }
 
+TEST_F(Program, ComparesTwoRuns) {
+    const auto write = [&](const char* name, double n31, double ratio) {
+        const nlohmann::json row{{"name", "a"}, {"run_type", "iteration"}, {"n31", n31}, {"ratio_to_stores", ratio}};
+        write_file_atomic(folder_ / name, nlohmann::json{{"benchmarks", {row}}}.dump());
+        return std::string("'").append((folder_ / name).string()).append("'");
+    };
+    const std::string old = write("old.json", 10, 1.5), same = write("same.json", 10, 1.52), slow = write("slow.json", 10, 2),
+                      other = write("other.json", 11, 1.5), fast = write("fast.json", 10, 1);
+    EXPECT_EQ(run("--compare " + old + " --from " + same).code, 0);
+    const Outcome worse = run("--compare " + old + " --from " + slow);
+    EXPECT_EQ(worse.code, 1);
+    EXPECT_NE(worse.out.find("worse"), std::string::npos);
+    EXPECT_EQ(run("--compare " + old + " --from " + other).code, 2);
+    const Outcome better = run("--compare " + old + " --from " + fast);
+    EXPECT_EQ(better.code, 0);
+    EXPECT_NE(better.out.find("better"), std::string::npos);
+    EXPECT_EQ(run("--compare " + old + " --filter subdivision/stores/pot --benchmark_min_time=0").code, 2);  // no row in common
+}
+
 TEST_F(Program, BadArgumentsAreOneLineAndExitCode2) {
-    for (const char* arguments : {"--filter nothing_has_this_name", "--level huge", "--outt x", "--benchmark_nonsense=1", "--filter '['"}) {
+    for (const char* arguments : {"--compare /nowhere.json", "--from x.json", "--filter nothing_has_this_name", "--level huge", "--outt x", "--benchmark_nonsense=1", "--filter '['"}) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.error;
         EXPECT_NE(outcome.error.find("cleave-bench: "), std::string::npos) << arguments;

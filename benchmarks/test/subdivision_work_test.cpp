@@ -27,8 +27,7 @@ TEST(SubdivisionWork, StoresWriteTheBytesOfTheOutput) {
 TEST(SubdivisionWork, TheFixedDiscCutsAsMuchInEveryCube) {
     std::vector<int> cut;
     for (const int cells : {8, 10, 14}) {
-        const SubdivisionCase body = fixed_disc_case(cells);
-        const subdivision::Counts counts = subdivision::subdivide(body.mesh, {body.cut}).counts;
+        const subdivision::Counts counts = subdivision::subdivide(cube_case(cells).mesh, {fixed_disc_in(cells)}).counts;
         cut.push_back(counts.three_one + counts.two_two);
     }
     // Vertices are shaken by their number, so the counts are alike, not equal.

@@ -1,7 +1,9 @@
 #include "solver/fragments/crack_opening.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace cleave::fragments {
 
@@ -19,8 +21,7 @@ int CrackOpening::side(int particle) const {
 }
 
 /// The line between the centroids meets the plane at a + |d_a| / (|d_a| + |d_b|) (b - a).
-bool CrackOpening::intersects(int first, int second) const {
-    if (side(first) == side(second)) return false;
+bool CrackOpening::meets_disc(int first, int second) const {
     if (std::isinf(crack_.disc.radius)) return true;
     const Vector3d a = body_.centroid(first), b = body_.centroid(second);
     const double da = std::abs(subdivision::plane_distance(crack_.disc.normal, crack_.disc.centre, a));
@@ -29,35 +30,46 @@ bool CrackOpening::intersects(int first, int second) const {
     return (a + along * (b - a) - crack_.disc.centre).norm() <= crack_.disc.radius;
 }
 
-/// Links inside the tets that this cut divided. (Equal pieces at a face between two of them lie on the same side.)
+/// Links inside the tets that this cut divided, and from their bases to older children. (Equal pieces at a face between two tets
+/// of this cut lie on the same side.)
 int CrackOpening::open_new_parents(LinkTable& links) const {
+    const int new_children = body_.originals() + engine_.first_new_child();
     int removed = 0;
     for (const int parent : engine_.last_parents()) {
         const subdivision::PieceTable& pieces = engine_.pieces(parent);
         const int first = body_.originals() + engine_.first_child(parent);
-        for (int k = 0; k < pieces.children; ++k) {
-            for (int face = 0; face < 4; ++face) {
-                const int inner = pieces.inner[k][face];
-                if (inner < 4 * k || pieces.side[k] == pieces.side[inner / 4] || !intersects(first + k, first + inner / 4)) continue;
-                links.remove(engine_, 4 * (first + k) + face);
-                ++removed;
-            }
+        for (int half_face = 0; half_face < 4 * pieces.children; ++half_face) {
+            const int here = half_face / 4, inner = pieces.inner[here][half_face % 4];
+            const int behind = inner >= 0 ? 4 * first + inner : links.opposite(engine_, 4 * first + half_face);
+            const bool candidate = inner >= 0 ? inner > half_face && pieces.side[here] != pieces.side[inner / 4]
+                                              : behind >= 0 && behind < 4 * new_children && !links.is_removed(behind);
+            if (!candidate || !intersects(first + here, behind / 4)) continue;
+            links.remove(engine_, behind);
+            ++removed;
         }
     }
     return removed;
 }
 
-/// Links over equal faces between the given particles and others that come before them.
+/// Links over equal faces between these particles.
 int CrackOpening::open_faces(LinkTable& links, const std::vector<int>& particles) const {
+    if (particles.empty()) return 0;
+    const int first = particles.front();
+    std::vector<std::int8_t> sides(static_cast<std::size_t>(particles.back() - first + 1), 0);  // 0: not one of them
+    std::vector<std::array<int, 2>> found;
+    int own_side = 0;
+    links.for_each_link_down(engine_, particles, [&](int particle) { sides[particle - first] = static_cast<std::int8_t>(own_side = side(particle)); },
+                             [&](int particle, int neighbour) {
+                                 if (neighbour >= first && sides[neighbour - first] == -own_side) found.push_back({particle, neighbour});
+                             });
     int removed = 0;
-    for (const int particle : particles) {
+    for (const auto& [particle, neighbour] : found) {
+        if (!meets_disc(particle, neighbour)) continue;
         for (int face = 0; face < 4; ++face) {
-            const int half_face = 4 * particle + face, behind = links.opposite(engine_, half_face);
-            if (behind < 0 || behind / 4 > particle || links.is_removed(half_face) || links.is_gone(behind / 4)) continue;
-            if (!intersects(particle, behind / 4)) continue;
-            links.remove(engine_, half_face);
-            ++removed;
+            const int behind = links.opposite(engine_, 4 * particle + face);
+            if (behind >= 0 && behind / 4 == neighbour) links.remove(engine_, 4 * particle + face);
         }
+        ++removed;
     }
     return removed;
 }

@@ -18,8 +18,9 @@ public:
     int isolate_inside(LinkTable& links) const;
 
 private:
-    bool intersects(int first, int second) const;
     int side(int particle) const;
+    bool intersects(int first, int second) const { return side(first) != side(second) && meets_disc(first, second); }
+    bool meets_disc(int first, int second) const;
     int open_new_parents(LinkTable& links) const;
     int open_faces(LinkTable& links, const std::vector<int>& particles) const;
     int open_partial(LinkTable& links) const;

@@ -12,85 +12,109 @@ namespace cleave::fragments {
 using Eigen::Vector3d;
 
 FragmentedBody::FragmentedBody(const mesh::TetMesh& mesh, Scheme scheme, const subdivision::Options& options)
-    : mesh_(mesh), scheme_(scheme), engine_(mesh, options), links_(engine_), fragment_of_(mesh.tets.size(), 0) {
+    : mesh_(mesh), scheme_(scheme), engine_(mesh, options), links_(engine_) {
+    find_first_fragments();
+}
+
+void FragmentedBody::reset() {
+    engine_.reset();
+    links_.reset();
+    find_first_fragments();
+}
+
+/// The components of the mesh.
+void FragmentedBody::find_first_fragments() {
     std::vector<int> all(mesh_.tets.size());
     std::iota(all.begin(), all.end(), 0);
+    fragment_of_.assign(mesh_.tets.size(), 0);
     unite(all);
-    fragments_.resize(1);
-    std::vector<int> numbers = split(0, all);
-    if (numbers.empty()) return;
-    // The body came in pieces: they are the first fragments.
+    fragments_.assign(1, {});
+    if (split(0, std::move(all)).empty()) return;
     fragments_.erase(fragments_.begin());
     for (Fragment& fragment : fragments_) fragment.origin = -1;
     for (int& number : fragment_of_) --number;
 }
 
-CrackOutcome FragmentedBody::crack(const Crack& crack, int fragment) {
+/// The crack with a unit normal.
+Crack FragmentedBody::valid(const Crack& crack, int fragment) const {
     if (fragment < 0 || fragment >= fragments() || fragments_[fragment].retired) {
         throw std::invalid_argument("FragmentedBody: the fragment does not exist, or fell apart before");
     }
     if (!(crack.inner_radius >= 0) || !std::isfinite(crack.inner_radius)) {
         throw std::invalid_argument("FragmentedBody: the inner radius must be finite and not negative");
     }
-    const Crack valid{.disc = subdivision::checked(crack.disc), .inner_radius = crack.inner_radius};
-    CrackOutcome outcome;
-    std::vector<int> particles = subdivided(valid, fragment, outcome);
-    const CrackOpening opening(*this, valid, particles);
-    outcome.removed_links = opening.remove_intersected(links_);
-    outcome.isolated = opening.isolate_inside(links_);
-    unite(particles);
-    outcome.new_fragments = split(fragment, particles);
+    return {.disc = subdivision::checked(crack.disc), .inner_radius = crack.inner_radius};
+}
+
+CrackOutcome FragmentedBody::crack(const Crack& crack, int fragment) {
+    const subdivision::Counts counts = subdivide(crack, fragment);
+    CrackOutcome outcome = open(crack, fragment);
+    outcome.counts = counts;
     return outcome;
 }
 
-/// Subdivides what the disc passes; returns the fragment's particles afterwards, ascending.
-std::vector<int> FragmentedBody::subdivided(const Crack& crack, int fragment, CrackOutcome& outcome) {
-    std::vector<int> particles = std::move(fragments_[fragment].particles);
-    outcome.counts.uncut = engine_.counts().uncut;
-    if (scheme_ == Scheme::basic) return particles;
-    outcome.counts = engine_.cut(crack.disc, {fragment_of_.data(), fragment});
+subdivision::Counts FragmentedBody::subdivide(const Crack& crack, int fragment) {
+    const Crack unit = valid(crack, fragment);
+    if (scheme_ == Scheme::basic) return {.uncut = originals()};
+    const subdivision::Counts counts = engine_.cut(unit.disc, {fragment_of_.data(), fragment});
     links_.take_over(engine_);
     for (const int parent : engine_.last_parents()) fragment_of_[parent] = -1;
+    std::vector<int>& particles = fragments_[fragment].particles;
     std::erase_if(particles, [&](int particle) { return fragment_of_[particle] < 0; });
     for (int particle = static_cast<int>(fragment_of_.size()); particle < particle_numbers(); ++particle) particles.push_back(particle);
     fragment_of_.resize(particle_numbers(), fragment);
-    return particles;
+    return counts;
+}
+
+CrackOutcome FragmentedBody::open(const Crack& crack, int fragment) {
+    const Crack unit = valid(crack, fragment);
+    CrackOutcome outcome;
+    std::vector<int> particles = std::move(fragments_[fragment].particles);
+    const CrackOpening opening(*this, unit, particles);
+    outcome.removed_links = opening.remove_intersected(links_);
+    outcome.isolated = opening.isolate_inside(links_);
+    unite(particles);
+    outcome.new_fragments = split(fragment, std::move(particles));
+    return outcome;
 }
 
 /// Finds the sets of linked particles among those given.
 void FragmentedBody::unite(const std::vector<int>& particles) {
     sets_.grow(particle_numbers());
-    for (const int particle : particles) {
-        sets_.make_single(particle);
-        for (int face = 0; face < 4; ++face) {
-            const int behind = links_.opposite(engine_, 4 * particle + face);
-            if (behind < 0 || behind / 4 > particle || links_.is_removed(4 * particle + face) || links_.is_gone(behind / 4)) continue;
-            sets_.unite(particle, behind / 4);
-        }
-    }
+    int root = -1;
+    links_.for_each_link_down(engine_, particles, [&](int particle) { sets_.make_single(root = particle); },
+                              [&](int, int neighbour) { root = sets_.unite_root(root, neighbour); });
     for (const PartialLink& partial : links_.partial()) {
         const int first = partial.link.first / 4, second = partial.link.second / 4;
         if (!partial.removed && fragment_of_[first] == fragment_of_[particles.front()]) sets_.unite(first, second);
     }
+    sets_.flatten(particles);
 }
 
 /// Hands the particles to new fragments where they form several sets (returned), back to the fragment where they form one.
-std::vector<int> FragmentedBody::split(int fragment, const std::vector<int>& particles) {
+std::vector<int> FragmentedBody::split(int fragment, std::vector<int> particles) {
     std::vector<int> numbers;
-    if (std::all_of(particles.begin(), particles.end(), [&](int particle) { return sets_.find(particle) == particles.front(); })) {
-        fragments_[fragment].particles = particles;
+    if (std::all_of(particles.begin(), particles.end(), [&](int particle) { return sets_.look_up(particle) == particles.front(); })) {
+        fragments_[fragment].particles = std::move(particles);
         return numbers;
     }
+    const int first_new = fragments();
+    std::vector<std::size_t> sizes;
     for (const int particle : particles) {
-        const int root = sets_.find(particle);  // the smallest of its set: it came first
+        const int root = sets_.look_up(particle);  // the smallest of its set: it came first
         if (root == particle) {
-            numbers.push_back(fragments());
-            fragment_of_[particle] = fragments();
-            fragments_.push_back({.origin = fragment, .retired = false, .particles = {}});
+            fragment_of_[particle] = first_new + static_cast<int>(sizes.size());
+            sizes.push_back(0);
         }
         fragment_of_[particle] = fragment_of_[root];
-        fragments_[fragment_of_[particle]].particles.push_back(particle);
+        ++sizes[fragment_of_[particle] - first_new];
     }
+    for (const std::size_t size : sizes) {
+        numbers.push_back(fragments());
+        fragments_.push_back({.origin = fragment, .retired = false, .particles = {}});
+        fragments_.back().particles.reserve(size);
+    }
+    for (const int particle : particles) fragments_[fragment_of_[particle]].particles.push_back(particle);
     fragments_[fragment].retired = true;
     fragments_[fragment].particles.clear();
     return numbers;

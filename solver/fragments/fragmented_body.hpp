@@ -45,6 +45,15 @@ public:
     /// Throws std::invalid_argument for a bad disc, a negative or non-finite inner radius, a fragment that does not exist or is retired.
     CrackOutcome crack(const Crack& crack, int fragment);
 
+    /// The two halves of crack(), for who wants their times apart (Table 2). The paper's "particle subdivision": divides the tets that
+    /// the disc passes and links their children. Nothing in the basic scheme.
+    subdivision::Counts subdivide(const Crack& crack, int fragment);
+    /// The paper's "crack generation": removes links and finds the fragments. After subdivide() with the same arguments.
+    CrackOutcome open(const Crack& crack, int fragment);
+
+    /// Whole again; memory is kept.
+    void reset();
+
     int originals() const { return static_cast<int>(mesh_.tets.size()); }
     /// Numbers of particles ever used: originals and children.
     int particle_numbers() const;
@@ -67,9 +76,10 @@ public:
     const subdivision::SubdivisionEngine& engine() const { return engine_; }
 
 private:
-    std::vector<int> subdivided(const Crack& crack, int fragment, CrackOutcome& outcome);
+    Crack valid(const Crack& crack, int fragment) const;
+    void find_first_fragments();
     void unite(const std::vector<int>& particles);
-    std::vector<int> split(int fragment, const std::vector<int>& particles);
+    std::vector<int> split(int fragment, std::vector<int> particles);
 
     mesh::TetMesh mesh_;
     Scheme scheme_;

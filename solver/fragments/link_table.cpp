@@ -24,6 +24,11 @@ LinkTable::LinkTable(const SubdivisionEngine& engine) : own_(engine.originals())
     }
 }
 
+void LinkTable::reset() {
+    state_.assign(own_.size(), 0);
+    partial_.clear();
+}
+
 void LinkTable::take_over(const SubdivisionEngine& engine) {
     removed_pairs_.clear();
     for (const PartialLink& partial : partial_) {

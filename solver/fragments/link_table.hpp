@@ -22,6 +22,9 @@ class LinkTable {
 public:
     explicit LinkTable(const subdivision::SubdivisionEngine& engine);
 
+    /// As after construction. The engine must be whole.
+    void reset();
+
     /// Call after each cut of the engine: links of the new children.
     void take_over(const subdivision::SubdivisionEngine& engine);
 
@@ -37,6 +40,29 @@ public:
     const std::vector<PartialLink>& partial() const { return partial_; }
     int originals() const { return static_cast<int>(own_.size()); }
     int particles() const { return static_cast<int>(state_.size()); }
+
+    /// Calls visit(particle, neighbour) for each link over an equal face to a particle of a smaller number; particles ascending.
+    template <class Start, class Visit>
+    void for_each_link_down(const subdivision::SubdivisionEngine& engine, const std::vector<int>& particles, const Start& start,
+                            const Visit& visit) const {
+        const std::uint8_t* state = state_.data();
+        for (const int particle : particles) {
+            start(particle);
+            const std::array<int, 4>& behind = particle < originals() ? own_[particle] : engine.child_links()[particle - originals()];
+            const unsigned removed = state[particle];
+            // First gathered without a branch, because which faces qualify cannot be foretold.
+            std::array<int, 4> neighbours;
+            int count = 0;
+            for (int face = 0; face < 4; ++face) {
+                const int neighbour = behind[face] >> 2;  // -1 stays -1
+                const int safe = neighbour & ~(neighbour >> 31);
+                neighbours[count] = neighbour;
+                count += (static_cast<unsigned>(neighbour) < static_cast<unsigned>(particle)) & ((removed >> face & 1U) == 0) &
+                         ((state[safe] & gone) == 0);
+            }
+            for (int i = 0; i < count; ++i) visit(particle, neighbours[i]);
+        }
+    }
 
     /// Removes the link over an equal face, from both sides.
     void remove(const subdivision::SubdivisionEngine& engine, int half_face);

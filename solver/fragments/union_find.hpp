@@ -19,12 +19,21 @@ public:
         }
         return number;
     }
-    void unite(int a, int b) {
-        a = find(a);
-        b = find(b);
-        if (a < b) root_[b] = a;
-        else root_[a] = b;
+    /// Joins the sets of a root and of another number; returns the root of both.
+    int unite_root(int root, int number) {
+        if (root_[number] == root) return root;  // by far the most
+        const int other = find(number);
+        if (other < root) return root_[root] = other;
+        root_[other] = root;
+        return root;
     }
+    void unite(int a, int b) { unite_root(find(a), b); }
+
+    /// Lets each of these numbers (whole sets, ascending) point to its root: look_up then needs no search.
+    void flatten(const std::vector<int>& numbers) {
+        for (const int number : numbers) root_[number] = root_[root_[number]];  // the smaller ones are flat already
+    }
+    int look_up(int number) const { return root_[number]; }
 
 private:
     std::vector<int> root_;

@@ -80,11 +80,26 @@ void SubdivisionEngine::link_loose_face(int tet, int face, std::vector<ExtraLink
 }
 
 void SubdivisionEngine::find_extra_links(std::vector<ExtraLink>& links) const {
-    constexpr std::size_t far = 12, near = 6;
+    constexpr std::size_t chunk_size = 1024;
     links.clear();
-    for (std::size_t i = 0; i < loose_.size(); ++i) {
-        if (i + far < loose_.size()) __builtin_prefetch(&canonical_.records[loose_[i + far] / 4]);
-        if (i + near < loose_.size()) {
+    const std::size_t chunks = (loose_.size() + chunk_size - 1) / chunk_size;
+    if (workers_.alone() || chunks < 4) {
+        link_loose_faces(0, loose_.size(), links);
+        return;
+    }
+    std::vector<std::vector<ExtraLink>> parts(chunks);
+    workers_.for_chunks(chunks, [&](std::size_t chunk) {
+        parts[chunk].reserve(4 * chunk_size);
+        link_loose_faces(chunk * chunk_size, std::min(loose_.size(), (chunk + 1) * chunk_size), parts[chunk]);
+    });
+    for (const std::vector<ExtraLink>& part : parts) links.insert(links.end(), part.begin(), part.end());
+}
+
+void SubdivisionEngine::link_loose_faces(std::size_t first, std::size_t last, std::vector<ExtraLink>& links) const {
+    constexpr std::size_t far = 12, near = 6;
+    for (std::size_t i = first; i < last; ++i) {
+        if (i + far < last) __builtin_prefetch(&canonical_.records[loose_[i + far] / 4]);
+        if (i + near < last) {
             const int behind = canonical_.records[loose_[i + near] / 4].opposite[loose_[i + near] % 4];
             __builtin_prefetch(&states_[behind / 4]);
             __builtin_prefetch(&canonical_.records[behind / 4].position);

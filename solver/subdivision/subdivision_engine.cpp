@@ -3,6 +3,7 @@
 #include <immintrin.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 
@@ -67,13 +68,17 @@ void fetch_record(const CanonicalMesh::Record& record) {
 }
 
 constexpr int scan_below = 20'000;  ///< tets: smaller meshes are scanned faster than searched
+constexpr std::size_t chunk_size = 256;  ///< parents, edges or boxes that one thread takes at a time
+constexpr std::size_t together_from = 8 * chunk_size;  ///< parents: fewer are not worth waking threads
+
+std::size_t chunks_of(std::size_t count) { return (count + chunk_size - 1) / chunk_size; }
 
 }  // namespace
 
 SubdivisionEngine::SubdivisionEngine(const mesh::TetMesh& mesh, const Options& options)
     : tables_(piece_tables().data()), canonical_(mesh), original_(mesh), options_(options), states_(mesh.tets.size()),
       base_number_(canonical_.faces, -1), edges_(canonical_.edges()),
-      faces_(canonical_.faces) {
+      faces_(canonical_.faces), workers_(options.threads) {
     require_valid_tau(options.tau);
     if (canonical_.tets() >= scan_below) {
         boxes_ = TetBoxes(canonical_);
@@ -138,21 +143,48 @@ void SubdivisionEngine::scan_all(const Cut& cut, const SubdivisionPlane& plane, 
     }
 }
 
+/// Whether the cut divides a tet of a box near it; if so, notes how.
+inline bool SubdivisionEngine::test_near(const Cut& cut, const SubdivisionPlane& plane, const Among& among, int tet,
+                                         const std::array<int, 4>& corners) {
+    const Vector4* x = canonical_.vertices.data();
+    const unsigned mask = plus_mask(FourVertices(x[corners[0]], x[corners[1]], x[corners[2]], x[corners[3]]).distances(plane));
+    if (mask - 1U >= 14U) return false;
+    if (states_[tet].cut >= 0 || !among.has(tet) || (std::isfinite(cut.radius) && !passes_disc(cut, plane, tet))) return false;
+    states_[tet].pieces = &tables_[2 * mask + canonical_.records[tet].odd];
+    return true;
+}
+
 /// Looks into the boxes at the cut; the set of finds puts them into ascending order.
 void SubdivisionEngine::scan_near(const Cut& cut, const SubdivisionPlane& plane, const Among& among) {
-    const bool disc = std::isfinite(cut.radius);
-    boxes_.near(cut, [&](int tet, const std::array<int, 4>& corners) {
-        const Vector4* x = canonical_.vertices.data();
-        const unsigned mask = plus_mask(FourVertices(x[corners[0]], x[corners[1]], x[corners[2]], x[corners[3]]).distances(plane));
-        if (mask - 1U >= 14U) return;
-        if (states_[tet].cut >= 0 || !among.has(tet) || (disc && !passes_disc(cut, plane, tet))) return;
-        states_[tet].pieces = &tables_[2 * mask + canonical_.records[tet].odd];
-        found_.set(static_cast<std::size_t>(tet));
-    });
+    if (workers_.alone()) {
+        boxes_.near(cut, [&](int tet, const std::array<int, 4>& corners) {
+            if (test_near(cut, plane, among, tet, corners)) found_.set(static_cast<std::size_t>(tet));
+        });
+    } else {
+        find_near_together(cut, plane, among);
+    }
     found_.drain([&](std::size_t tet) {
         states_[tet].cut = cuts_;
         parents_.push_back(static_cast<int>(tet));
     });
+}
+
+void SubdivisionEngine::find_near_together(const Cut& cut, const SubdivisionPlane& plane, const Among& among) {
+    constexpr std::size_t boxes_a_chunk = 64;
+    std::vector<std::size_t> boxes;
+    boxes_.near_boxes(cut, [&](std::size_t box) { boxes.push_back(box); });
+    const std::size_t chunks = (boxes.size() + boxes_a_chunk - 1) / boxes_a_chunk;
+    std::vector<std::vector<int>> finds(chunks);
+    workers_.for_chunks(chunks, [&](std::size_t chunk) {
+        for (std::size_t i = chunk * boxes_a_chunk; i < std::min(boxes.size(), (chunk + 1) * boxes_a_chunk); ++i) {
+            boxes_.visit_box(boxes[i], [&](int tet, const std::array<int, 4>& corners) {
+                if (test_near(cut, plane, among, tet, corners)) finds[chunk].push_back(tet);
+            });
+        }
+    });
+    for (const std::vector<int>& found : finds) {
+        for (const int tet : found) found_.set(static_cast<std::size_t>(tet));
+    }
 }
 
 template <int cuts>
@@ -172,7 +204,10 @@ void SubdivisionEngine::mark_parent(const PieceTable& pieces, int tet) {
 void SubdivisionEngine::mark_points() {
     constexpr std::size_t ahead = 12;
     int children = static_cast<int>(child_tets_.size());
+    const int two_two_before = counts_.two_two;
+    chunk_centres_.clear();
     for (std::size_t place = first_parent_; place < parents_.size(); ++place) {
+        if ((place - first_parent_) % chunk_size == 0) chunk_centres_.push_back(counts_.two_two - two_two_before);
         if (place + ahead < parents_.size()) fetch_record(canonical_.records[parents_[place + ahead]]);
         const int tet = parents_[place];
         const PieceTable& pieces = *states_[tet].pieces;
@@ -199,10 +234,20 @@ void SubdivisionEngine::number_points(const SubdivisionPlane& plane, int centres
     cut_edges_.clear();
     edges_.for_each([&](std::size_t edge) { cut_edges_.push_back(static_cast<int>(edge)); });
     const std::size_t count = cut_edges_.size();
-    std::array<double, 3>* points = points_.data() + (first_edge_point_ - originals);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (i + 16 < count) __builtin_prefetch(&canonical_.edge_ends[cut_edges_[i + 16]]);
-        if (i + 8 < count) {
+    if (count < together_from) {
+        write_edge_points(plane, 0, count);
+    } else {
+        workers_.for_chunks(chunks_of(count), [&](std::size_t chunk) {
+            write_edge_points(plane, chunk * chunk_size, std::min(count, (chunk + 1) * chunk_size));
+        });
+    }
+}
+
+void SubdivisionEngine::write_edge_points(const SubdivisionPlane& plane, std::size_t first, std::size_t last) {
+    std::array<double, 3>* points = points_.data() + (first_edge_point_ - static_cast<int>(canonical_.vertices.size()));
+    for (std::size_t i = first; i < last; ++i) {
+        if (i + 16 < last) __builtin_prefetch(&canonical_.edge_ends[cut_edges_[i + 16]]);
+        if (i + 8 < last) {
             for (const int v : canonical_.edge_ends[cut_edges_[i + 8]]) __builtin_prefetch(&canonical_.vertices[v]);
         }
         const auto& [a, b] = canonical_.edge_ends[cut_edges_[i]];
@@ -228,12 +273,12 @@ void SubdivisionEngine::fetch_ahead(std::size_t place) const {
 }
 
 /// Links the pieces of a face to those behind it, where they are the same; else notes the face as loose.
-inline void SubdivisionEngine::link_face(const State& here, int tet, int face) {
+inline void SubdivisionEngine::link_face(const State& here, int tet, int face, Buffer<int>& loose) {
     const int behind = canonical_.records[tet].opposite[face];
     if (behind < 0) return;
     const State& there = states_[behind / 4];
     if (there.cut != cuts_) {
-        link_face_across_cuts(here, tet, face);
+        link_face_across_cuts(here, tet, face, loose);
         return;
     }
     const FacePieces &pieces = here.pieces->pieces[face], &mirror = there.pieces->pieces[behind % 4];
@@ -245,11 +290,11 @@ inline void SubdivisionEngine::link_face(const State& here, int tet, int face) {
 }
 
 /// The tet behind is whole or was cut before: only two bases conform.
-void SubdivisionEngine::link_face_across_cuts(const State& here, int tet, int face) {
+void SubdivisionEngine::link_face_across_cuts(const State& here, int tet, int face, Buffer<int>& loose) {
     const int behind = canonical_.records[tet].opposite[face];
     const State& there = states_[behind / 4];
     if (there.cut < 0 || face != here.pieces->base_face || behind % 4 != there.pieces->base_face) {
-        loose_.push_back(4 * tet + face);
+        loose.push_back(4 * tet + face);
         return;
     }
     // The other side was written when this tet was whole.
@@ -272,7 +317,7 @@ void SubdivisionEngine::set_face_point(int tet, int face, int number, const Vect
 }
 
 template <int cuts>
-void SubdivisionEngine::write_parent(const SubdivisionPlane& plane, int tet, int centre) {
+void SubdivisionEngine::write_parent(const SubdivisionPlane& plane, int tet, int centre, Buffer<int>& loose) {
     const PieceTable& pieces = *states_[tet].pieces;
     const CanonicalMesh::Record& record = canonical_.records[tet];
     std::array<Vector4, 15> corners;
@@ -300,8 +345,10 @@ void SubdivisionEngine::write_parent(const SubdivisionPlane& plane, int tet, int
     if constexpr (cuts == 3) {
         const int f = pieces.base_face;
         const Vector4 x = ((corners[f == 0 ? 1 : 0] + corners[f <= 1 ? 2 : 1]) + corners[f <= 2 ? 3 : 2]) / 3;
-        int& number = base_number_[record.face[f]];
-        if (number < 0) number = first_face_point_ + faces_.rank(record.face[f]);
+        // Two tets of this cut may share a base and write the same number at the same time.
+        const std::atomic_ref<int> shared(base_number_[record.face[f]]);
+        int number = shared.load(std::memory_order_relaxed);
+        if (number < 0) shared.store(number = first_face_point_ + faces_.rank(record.face[f]), std::memory_order_relaxed);
         corners[first_face_code + f] = x;
         numbers[4 * (first_face_code + f)] = number;
         if (number >= first_face_point_) set_face_point(tet, f, number, x);
@@ -312,7 +359,7 @@ void SubdivisionEngine::write_parent(const SubdivisionPlane& plane, int tet, int
         store(points_[static_cast<std::size_t>(centre) - canonical_.vertices.size()], corners[centre_code]);
     }
     write_children<cuts == 3 ? 14 : 20>(pieces, tet, reinterpret_cast<const double*>(corners.data()), numbers.data());
-    for (int f = 0; f < 4; ++f) link_face(states_[tet], tet, f);
+    for (int f = 0; f < 4; ++f) link_face(states_[tet], tet, f, loose);
 }
 
 /// `corners` and `numbers`: of all 15 points, four places a point.
@@ -341,6 +388,32 @@ void SubdivisionEngine::write_children(const PieceTable& pieces, int tet, const 
     }
 }
 
+void SubdivisionEngine::write_all_parents(const SubdivisionPlane& plane) {
+    const std::size_t count = parents_.size() - first_parent_, chunks = chunks_of(count);
+    if (workers_.alone() || count < together_from) {
+        for (std::size_t chunk = 0; chunk < chunks; ++chunk) write_parents(plane, chunk, loose_);
+        return;
+    }
+    if (chunk_loose_.size() < chunks) chunk_loose_ = std::vector<Buffer<int>>(chunks);
+    workers_.for_chunks(chunks, [&](std::size_t chunk) {
+        chunk_loose_[chunk].clear();
+        write_parents(plane, chunk, chunk_loose_[chunk]);
+    });
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+        for (const int face : chunk_loose_[chunk]) loose_.push_back(face);
+    }
+}
+
+void SubdivisionEngine::write_parents(const SubdivisionPlane& plane, std::size_t chunk, Buffer<int>& loose) {
+    int centre = first_centre_ + chunk_centres_[chunk];
+    const std::size_t first = first_parent_ + chunk * chunk_size;
+    for (std::size_t place = first; place < std::min(parents_.size(), first + chunk_size); ++place) {
+        fetch_ahead(place);
+        const int tet = parents_[place];
+        states_[tet].pieces->base_face >= 0 ? write_parent<3>(plane, tet, -1, loose) : write_parent<4>(plane, tet, centre++, loose);
+    }
+}
+
 Counts SubdivisionEngine::cut(const Cut& cut, const Among& among) {
     const Cut valid = checked(cut);
     const SubdivisionPlane plane{{valid.normal[0], valid.normal[1], valid.normal[2]},
@@ -351,12 +424,7 @@ Counts SubdivisionEngine::cut(const Cut& cut, const Among& among) {
     find_parents(valid, plane, among);
     mark_points();
     number_points(plane, counts_.two_two - before.two_two);
-    int centre = first_centre_;
-    for (std::size_t place = first_parent_; place < parents_.size(); ++place) {
-        fetch_ahead(place);
-        const int tet = parents_[place];
-        states_[tet].pieces->base_face >= 0 ? write_parent<3>(plane, tet, -1) : write_parent<4>(plane, tet, centre++);
-    }
+    write_all_parents(plane);
     edges_.clear();
     faces_.clear();
     ++cuts_;

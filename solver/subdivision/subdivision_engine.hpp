@@ -10,6 +10,7 @@
 #include "solver/subdivision/sparse_bits.hpp"
 #include "solver/subdivision/subdivided.hpp"
 #include "solver/subdivision/tet_boxes.hpp"
+#include "solver/subdivision/workers.hpp"
 
 #include <array>
 #include <cstdint>
@@ -45,7 +46,8 @@ struct Among {
 /// The fast form of PlainSubdivision, equal to it to the bit. Original tets keep their numbers 0 .. n-1; children are numbered
 /// from n on, cut by cut, parent by parent, and stand in arrays of their own, so that a cut costs what it cuts and not what the
 /// body has. A child's neighbour is read from tables: vertices of each tet are taken in sorted order, hence the two tets at a
-/// face number its pieces alike, and nothing is hashed or matched.
+/// face number its pieces alike, and nothing is hashed or matched. Threads share out chunks of parents whose places in the output
+/// are known before: the same bytes for any number of threads.
 class SubdivisionEngine {
 public:
     /// Set-up: sorts, numbers and links; costs more than many cuts. The mesh must have passed mesh::check.
@@ -97,18 +99,23 @@ private:
     void scan_all(const Cut& cut, const SubdivisionPlane& plane, const Among& among);
     void scan_near(const Cut& cut, const SubdivisionPlane& plane, const Among& among);
     void add_parent(int tet, unsigned plus_mask);
+    bool test_near(const Cut& cut, const SubdivisionPlane& plane, const Among& among, int tet, const std::array<int, 4>& corners);
+    void find_near_together(const Cut& cut, const SubdivisionPlane& plane, const Among& among);
     bool passes_disc(const Cut& cut, const SubdivisionPlane& plane, int tet) const;
     void mark_points();
     void fetch_ahead(std::size_t place) const;
     void number_points(const SubdivisionPlane& plane, int centres);
+    void write_edge_points(const SubdivisionPlane& plane, std::size_t first, std::size_t last);
+    void write_all_parents(const SubdivisionPlane& plane);
+    void write_parents(const SubdivisionPlane& plane, std::size_t chunk, Buffer<int>& loose);
     template <int cuts>
     void mark_parent(const PieceTable& pieces, int tet);
     template <int cuts>
-    void write_parent(const SubdivisionPlane& plane, int tet, int centre);
+    void write_parent(const SubdivisionPlane& plane, int tet, int centre, Buffer<int>& loose);
     template <int count>
     void write_children(const PieceTable& pieces, int tet, const double* corners, const int* numbers);
-    void link_face(const State& here, int tet, int face);
-    void link_face_across_cuts(const State& here, int tet, int face);
+    void link_face(const State& here, int tet, int face, Buffer<int>& loose);
+    void link_face_across_cuts(const State& here, int tet, int face, Buffer<int>& loose);
     void set_face_point(int tet, int face, int number, const Vector4& x);
     int child_half_face(int tet, int relative) const { return 4 * (canonical_.tets() + states_[tet].first_child) + relative; }
     class Renumbering;
@@ -118,6 +125,7 @@ private:
     FaceSide face_side(int tet, int sorted_face) const;
     void link_base(int whole_half_face, int tet, std::vector<ExtraLink>& links) const;
     void link_loose_face(int tet, int face, std::vector<ExtraLink>& links) const;
+    void link_loose_faces(std::size_t first, std::size_t last, std::vector<ExtraLink>& links) const;
 
     const PieceTable* tables_;
     CanonicalMesh canonical_;
@@ -136,6 +144,9 @@ private:
     std::size_t first_parent_ = 0;   ///< of the current cut
     int first_new_child_ = 0;        ///< of the current cut
     int first_edge_point_ = 0, first_face_point_ = 0, first_centre_ = 0;  ///< numbers of the current cut
+    std::vector<int> chunk_centres_; ///< of the current cut: the first centre's number in each chunk of parents
+    std::vector<Buffer<int>> chunk_loose_;     ///< per chunk: its loose faces, where several threads write
+    Workers workers_;
     int cuts_ = 0;                   ///< so far; the current cut's number
     Counts counts_;
     Buffer<std::array<int, 4>> child_tets_, child_links_;

@@ -21,7 +21,17 @@ public:
     /// Calls visit(tet, its sorted vertices) for at least each tet that the cut (with a unit normal) may pass, in no order of use.
     template <class Visit>
     void near(const Cut& cut, const Visit& visit) const {
+        near_boxes(cut, [&](std::size_t box) { visit_box(box, visit); });
+    }
+
+    /// Calls visit(box) for the boxes of 64 tets that the cut may pass; visit_box(box, visit) then goes through the box's tets.
+    template <class Visit>
+    void near_boxes(const Cut& cut, const Visit& visit) const {
         if (!levels_.empty()) descend(cut, levels_.size() - 1, 0, levels_.back().size(), visit);
+    }
+    template <class Visit>
+    void visit_box(std::size_t box, const Visit& visit) const {
+        for (std::size_t i = 64 * box; i < std::min(64 * box + 64, items_.size()); ++i) visit(items_[i].tet, items_[i].sorted);
     }
 
 private:
@@ -37,7 +47,7 @@ private:
             if (level > 0) {
                 descend(cut, level - 1, 64 * box, std::min(64 * box + 64, levels_[level - 1].size()), visit);
             } else {
-                for (std::size_t i = 64 * box; i < std::min(64 * box + 64, items_.size()); ++i) visit(items_[i].tet, items_[i].sorted);
+                visit(box);
             }
         }
     }

@@ -210,6 +210,19 @@ TEST(FragmentedBody, ChildrenInherit) {
     EXPECT_GT(children, 100u);
 }
 
+TEST(FragmentedBody, IsWholeAgainAfterReset) {
+    const Crack first{.disc = {.centre = {0.5, 0.5, 0.5}, .normal = {1, 0.4, 0.3}}, .inner_radius = 0.1};
+    FragmentedBody body(kuhn_cube(4, 0.1));
+    const CrackOutcome once = body.crack(first, 0);
+    body.reset();
+    EXPECT_EQ(body.current_fragments(), std::vector<int>{0});
+    expect_sound(body);
+    const CrackOutcome again = body.crack(first, 0);
+    EXPECT_EQ(again.removed_links, once.removed_links);
+    EXPECT_EQ(again.new_fragments, once.new_fragments);
+    expect_sound(body);
+}
+
 TEST(FragmentedBody, RefusesNonsense) {
     FragmentedBody body(kuhn_cube(2));
     EXPECT_THROW(body.crack({.disc = {.normal = Vector3d::Zero()}}, 0), std::invalid_argument);

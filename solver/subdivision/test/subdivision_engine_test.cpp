@@ -88,6 +88,35 @@ TEST(SubdivisionEngine, EqualsThePlainFormInALargeBody) {
     EXPECT_EQ(first_difference(by_engine(mesh, cuts), subdivide(mesh, cuts)), "");
 }
 
+TEST(SubdivisionEngine, GivesTheSameBytesForAnyNumberOfThreads) {
+    test::Random random(36);
+    for (const int cells : {12, 24}) {  // scanned, and searched by boxes
+        const TetMesh mesh = shuffled(kuhn_cube(cells, 0.1), random);
+        std::vector<Cut> cuts{{.centre = {0.5, 0.5, 0.5}, .normal = {1, 0.4, 0.3}}, random.disc(0.3, 0.7), random.plane(0.3, 0.7)};
+        const Subdivided plain = subdivide(mesh, cuts);
+        ASSERT_GT(plain.counts.three_one + plain.counts.two_two, cells == 24 ? 4096 : 1000);  // far above what one thread does alone
+        for (const int threads : {1, 2, 4, 8}) {
+            EXPECT_EQ(first_difference(by_engine(mesh, cuts, {.tau = 0.1, .threads = threads}), plain), "") << threads << " threads";
+        }
+    }
+}
+
+TEST(SubdivisionEngine, CutsOnlyAmongTheTetsItIsGiven) {
+    const TetMesh mesh = kuhn_cube(4, 0.1);
+    std::vector<int> label;
+    for (int tet = 0; tet < static_cast<int>(mesh.tets.size()); ++tet) label.push_back(mesh::tet_centroid(mesh, tet)[1] < 0.5);
+    SubdivisionEngine engine(mesh), all(mesh);
+    const Cut cut{.centre = {0.5, 0.5, 0.5}, .normal = {1, 0.1, 0.2}};
+    engine.cut(cut, {label.data(), 1});
+    all.cut(cut);
+    int both = 0;
+    for (int tet = 0; tet < engine.originals(); ++tet) {
+        EXPECT_EQ(engine.is_cut(tet), all.is_cut(tet) && label[tet] == 1);
+        both += engine.is_cut(tet);
+    }
+    EXPECT_GT(both, 20);
+}
+
 TEST(SubdivisionEngine, PassesOnSurfaceTagsAndRegions) {
     test::Random random(33);
     TetMesh mesh = kuhn_cube(3, 0.1);

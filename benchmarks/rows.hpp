@@ -1,0 +1,18 @@
+#pragma once
+
+#include "benchmarks/bodies.hpp"
+#include "benchmarks/program_options.hpp"
+
+namespace cleave::benchmarks {
+
+/// All rows of this program. Bodies are made when their first row runs, not here.
+void register_all(Level level);
+
+/// table2/...: beside the paper's Table 2.
+void register_table2(Level level, Bodies& bodies);
+/// subdivision/...: the engine beside pure stores, itself cold and on two threads, the plain form, VTK where it was built in.
+void register_subdivision(Level level, Bodies& bodies);
+/// fragments/...: removing links and finding the fragments.
+void register_fragments(Level level, Bodies& bodies);
+
+}  // namespace cleave::benchmarks

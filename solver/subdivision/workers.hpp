@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace cleave::subdivision {
+
+/// Threads that share out chunks of work.
+class Workers {
+public:
+    /// At most so many threads; 0: all that oneTBB offers.
+    explicit Workers(int threads);
+    ~Workers();
+    Workers(Workers&&) noexcept;
+    Workers& operator=(Workers&&) noexcept;
+
+    bool alone() const { return arena_ == nullptr; }
+    /// work(chunk) for 0 .. chunks-1, in any order and at the same time: the calls must not depend on each other.
+    void for_chunks(std::size_t chunks, const std::function<void(std::size_t)>& work) const;
+
+private:
+    struct Arena;
+    std::unique_ptr<Arena> arena_;  ///< none for one thread
+};
+
+}  // namespace cleave::subdivision

@@ -35,7 +35,7 @@ nlohmann::json read_run(const std::filesystem::path& path) {
 std::string run_rows(const ProgramOptions& options, char* program) {
     initialize(options, program);
     add_context(options.level == Level::full ? "full" : "quick");
-    register_all(options.level);
+    register_all(options.level, options.instructions);
     JsonReporter reporter;
     if (benchmark::RunSpecifiedBenchmarks(&reporter) == 0) {
         throw InputError("", "--filter", fmt::format("a regular expression that matches a benchmark ('{}' matches none)", options.filter));

@@ -10,7 +10,7 @@ namespace cleave::benchmarks {
 
 ProgramOptions parse_options(int argc, char** argv) {
     ProgramOptions options;
-    constexpr const char* usage = "[--filter RE] [--level quick|full] [--out FILE] [--compare BASELINE.json [--from RUN.json]]";
+    constexpr const char* usage = "[--filter RE] [--level quick|full] [--out FILE] [--instructions] [--compare BASELINE.json [--from RUN.json]]";
     std::string level = "quick", out, baseline, from;
     CLI::App app{"Benchmarks; ratios and work counts stand in the counters (see benchmarks/README.md)"};
     app.add_option("--out", out, "write Google Benchmark's JSON to FILE");
@@ -18,6 +18,7 @@ ProgramOptions parse_options(int argc, char** argv) {
     app.add_option("--level", level, "quick: small bodies; full: all")->check(CLI::IsMember({"quick", "full"}));
     CLI::Option* compare = app.add_option("--compare", baseline, "judge ratios and instruction counts against an earlier run's JSON");
     app.add_option("--from", from, "with --compare: judge this run's JSON instead of running")->needs(compare);
+    app.add_flag("--instructions", options.instructions, "also count instructions, by valgrind");
     app.allow_extras();
     app.footer("Options --benchmark_... are passed on to Google Benchmark.");
     options.help_text = app.help();

@@ -13,6 +13,7 @@ struct ProgramOptions {
     std::string filter = ".";        ///< regular expression over names
     std::filesystem::path baseline;  ///< JSON file of an earlier run to compare with; empty: none
     std::filesystem::path from;      ///< JSON file to compare instead of running; empty: run
+    bool instructions = false;       ///< rows that count instructions (valgrind must be there)
     Level level = Level::quick;
     std::vector<std::string> rest;   ///< for Google Benchmark
     bool help = false;

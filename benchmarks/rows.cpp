@@ -2,11 +2,12 @@
 
 namespace cleave::benchmarks {
 
-void register_all(Level level) {
+void register_all(Level level, bool count_instructions) {
     Bodies bodies;
     register_table2(level, bodies);
     register_subdivision(level, bodies);
     register_fragments(level, bodies);
+    if (count_instructions) register_instructions(bodies);
 }
 
 }  // namespace cleave::benchmarks

@@ -5,13 +5,15 @@
 
 namespace cleave::benchmarks {
 
-/// All rows of this program. Bodies are made when their first row runs, not here.
-void register_all(Level level);
+/// All rows of this program; those that count instructions by valgrind only when asked. Bodies are made when their first row runs, not here.
+void register_all(Level level, bool count_instructions = false);
 
 /// table2/...: beside the paper's Table 2.
 void register_table2(Level level, Bodies& bodies);
 /// subdivision/...: the engine beside pure stores, itself cold and on two threads, the plain form, VTK where it was built in.
 void register_subdivision(Level level, Bodies& bodies);
+/// subdivision/instructions/...: instructions per child, by valgrind's callgrind.
+void register_instructions(Bodies& bodies);
 /// fragments/...: removing links and finding the fragments.
 void register_fragments(Level level, Bodies& bodies);
 

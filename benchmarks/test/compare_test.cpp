@@ -1,6 +1,8 @@
 #include "benchmarks/compare.hpp"
 
+#include "benchmarks/instructions.hpp"
 #include "benchmarks/timing.hpp"
+#include "solver/input/input_error.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -93,6 +95,11 @@ TEST(Compare, CatchesASlowedBuildAndLeavesNoiseAlone) {
     }
     EXPECT_EQ(false_alarms, 0);
     EXPECT_EQ(caught, 300);
+}
+
+TEST(Instructions, AreReadFromCallgrindsOutput) {
+    EXPECT_EQ(counted_instructions("version: 1\nevents: Ir\nfn=(1) f\n10 20\ntotals: 8130412\n"), 8130412);
+    EXPECT_THROW(counted_instructions("version: 1\n"), EnvironmentError);
 }
 
 TEST(RelativeNoise, ShrinksWithTheRootOfThePasses) {

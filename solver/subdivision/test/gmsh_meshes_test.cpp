@@ -1,5 +1,9 @@
+#include "solver/mesh/msh_file.hpp"
 #include "solver/mesh/recipes/pot.hpp"
 #include "solver/subdivision/plain_subdivision.hpp"
+#include "solver/subdivision/subdivision_engine.hpp"
+#include "solver/subdivision/test/engine_equals.hpp"
+#include "solver/subdivision/test/random.hpp"
 #include "solver/subdivision/test/sound.hpp"
 
 #include <gtest/gtest.h>
@@ -10,13 +14,37 @@ namespace {
 using mesh::TetMesh;
 using test::expect_sound;
 
+/// `count` random planes and discs through the pot (0.24 m high, 0.24 m wide).
+std::vector<Cut> cuts_of_pot(int count, std::uint64_t seed) {
+    test::Random random(seed);
+    std::vector<Cut> cuts;
+    for (int i = 0; i < count; ++i) {
+        Cut cut = i % 2 == 0 ? random.plane(-0.12, 0.12) : random.disc(-0.12, 0.12);
+        cut.centre[2] += 0.12;
+        cuts.push_back(cut);
+    }
+    return cuts;
+}
+
 TEST(GmshMeshes, ThePotCutBySeveralPlanes) {
     const TetMesh mesh = mesh::pot(3000).mesh;
     expect_sound(mesh, subdivide(mesh, {{.centre = {0, 0, 0.1}, .normal = {1, 0.2, 0.1}}}));
-    expect_sound(mesh, subdivide(mesh, {{.centre = {0, 0, 0.1}, .normal = {1, 0.2, 0.1}},
-                                        {.centre = {0, 0, 0.12}, .normal = {0.1, 0.3, 1}},
-                                        {.centre = {0.1, 0, 0.1}, .normal = {0.3, 1, 0.5}, .radius = 0.05},
-                                        {.centre = {0, 0, 0.05}, .normal = {1, -1, 0.2}}}));
+    for (const int count : {1, 5, 50}) {
+        const std::vector<Cut> cuts = cuts_of_pot(count, static_cast<std::uint64_t>(count));
+        const Subdivided plain = subdivide(mesh, cuts);
+        expect_sound(mesh, plain);
+        SubdivisionEngine engine(mesh);
+        for (const Cut& cut : cuts) engine.cut(cut);
+        EXPECT_EQ(test::first_difference(engine.result(), plain), "") << count << " cuts";
+    }
+}
+
+TEST(ImportedMeshes, AFileCutLikeTheMeshItCameFrom) {
+    const TetMesh mesh = mesh::pot(1000).mesh, read = mesh::parse_msh(mesh::format_msh(mesh), "pot.msh");
+    const std::vector<Cut> cuts = cuts_of_pot(10, 7);
+    const Subdivided out = subdivide(read, cuts);
+    expect_sound(read, out);
+    EXPECT_EQ(test::first_difference(out, subdivide(mesh, cuts)), "");
 }
 
 }  // namespace

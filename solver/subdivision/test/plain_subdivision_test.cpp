@@ -3,6 +3,7 @@
 #include "solver/mesh/check.hpp"
 #include "solver/mesh/test/test_meshes.hpp"
 #include "solver/subdivision/links.hpp"
+#include "solver/subdivision/test/loose_tets.hpp"
 #include "solver/subdivision/test/random.hpp"
 
 #include <Eigen/Geometry>
@@ -59,44 +60,9 @@ TEST(PlainSubdivision, AllSignPatternsInAllVertexOrders) {
     } while (std::next_permutation(order.begin(), order.end()));
 }
 
-/// `count` tets that share nothing, corners anywhere in [-1, 1]^3, a tenth of them slivers.
-TetMesh loose_tets(test::Random& random, int count) {
-    TetMesh mesh;
-    for (int tet = 0; tet < count; ++tet) {
-        std::array<Vector3d, 4> corners;
-        for (Vector3d& corner : corners) corner = random.in_cube(-1, 1);
-        if (tet % 10 == 0) corners[3] = (corners[0] + corners[1] + corners[2]) / 3 + 1e-4 * random.direction();
-        double volume = mesh::signed_volume(corners[0], corners[1], corners[2], corners[3]);
-        if (volume < 0) std::swap(corners[0], corners[1]), volume = -volume;
-        if (volume < 1e-7) {
-            --tet;
-            continue;
-        }
-        mesh.tets.push_back({4 * tet, 4 * tet + 1, 4 * tet + 2, 4 * tet + 3});
-        mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
-    }
-    mesh.regions.assign(count, 1);
-    return mesh;
-}
-
-TEST(PlainSubdivision, HundredThousandRandomTetsAndPlanes) {
+TEST(PlainSubdivision, TwentyThousandRandomTetsAndPlanes) {  // 10^6 of them: million_tets_test.cpp
     test::Random random(2024);
-    long children = 0, cut = 0;
-    for (int batch = 0; batch < 400; ++batch) {
-        const TetMesh mesh = loose_tets(random, 250);
-        const Subdivided out = subdivide(mesh, {random.plane(-0.3, 0.3)});
-        EXPECT_EQ(static_cast<int>(out.mesh.tets.size()), out.counts.after());
-        EXPECT_EQ(out.counts.uncut + out.counts.three_one + out.counts.two_two, 250);
-        cut += out.counts.three_one + out.counts.two_two;
-        children += static_cast<long>(out.mesh.tets.size());
-        const Audit found = audit(mesh, out);
-        EXPECT_LE(found.volume_error, 1e-14);
-        EXPECT_GT(found.smallest_share, 0);
-        EXPECT_EQ(found.unpaired + found.asymmetric + found.paired_boundary, 0);
-        EXPECT_LE(found.worst_area_error, 1e-11);  // equal faces; needle-thin triangles of slivers lose digits in their area
-    }
-    EXPECT_GT(cut, 60000);  // planes near the middle of the cloud cut most tets
-    EXPECT_GT(children, 900000);
+    EXPECT_GT(test::cut_loose_tets(random, 80), 12'000);
 }
 
 TEST(PlainSubdivision, WithoutTheVertexRuleChildrenVanish) {

@@ -6,6 +6,7 @@
 #include "solver/subdivision/test/random.hpp"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +90,7 @@ TEST(SubdivisionEngine, EqualsThePlainFormInALargeBody) {
 }
 
 TEST(SubdivisionEngine, GivesTheSameBytesForAnyNumberOfThreads) {
+    const tbb::global_control allow_more_than_processors(tbb::global_control::max_allowed_parallelism, 8);
     test::Random random(36);
     for (const int cells : {12, 24}) {  // scanned, and searched by boxes
         const TetMesh mesh = shuffled(kuhn_cube(cells, 0.1), random);

@@ -3,6 +3,7 @@
 #include "reference_fem/constraints.hpp"
 #include "reference_fem/inertia_relief.hpp"
 #include "reference_fem/line_loads.hpp"
+#include "reference_fem/nodal_forces.hpp"
 #include "reference_fem/solution_data.hpp"
 #include "reference_fem/vector3.hpp"
 
@@ -49,27 +50,6 @@ std::vector<double> gather(const Assembly& assembly, const PrescribedValues& pre
     for (const auto& [dof, value] : prescribed) displacement[dof] = value;
     for (std::size_t row = 0; row < values.size(); ++row) displacement[assembly.free_dofs[row]] = values[row];
     return displacement;
-}
-
-/// Energy and work by their own quadrature of the solution, apart from the matrix.
-/// Nodal internal forces are int sigma_ij phi,j dV; at a prescribed dof that is load plus reaction, elsewhere the load is taken.
-void add_energies(Solution::Data& data, const std::vector<double>& load, const PrescribedValues& prescribed) {
-    const ShapeTable table(data.space, data.options.degree);
-    std::vector<double> internal(data.displacement.size(), 0.0);
-    for (int cell = 0; cell < static_cast<int>(data.mesh.cells.size()); ++cell)
-        for (std::size_t q = 0; q < table.rule.points.size(); ++q) {
-            const auto local = data.evaluate(cell, table.values[q], table.gradients[q], table.rule.points[q]);
-            const FieldSample sample = data.sample(cell, local);
-            const double weight = local.volume_factor * table.rule.weights[q];
-            for (int i = 0; i < 6; ++i) data.energy += 0.5 * weight * sample.stress[i] * sample.strain[i];
-            for (int node = 0; node < data.space.nodes_per_cell(); ++node)
-                for (int i = 0; i < 3; ++i)
-                    for (int j = 0; j < 3; ++j)
-                        internal[data.space.dof(cell, node, i)] +=
-                            weight * sample.stress[voigt_index(i, j)] * local.shape_gradients[node][j];
-        }
-    for (std::size_t dof = 0; dof < internal.size(); ++dof)
-        data.external_work += (prescribed.contains(static_cast<int>(dof)) ? internal[dof] : load[dof]) * data.displacement[dof];
 }
 
 /// The problem of a free body, held where it is convenient.

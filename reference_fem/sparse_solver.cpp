@@ -8,6 +8,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cleave::fem {
@@ -127,6 +128,36 @@ SparseSolution solve_direct(const SparseSystem& system) {
     solution.relative_residual = relative_norm(right_hand_side - matrix * values, right_hand_side);
     solution.bytes += factor.bytes();
     return solution;
+}
+
+struct DirectFactor::Impl {
+    explicit Impl(const SparseSystem& system) : factor(lower_triangle(matrix_of(system))), bytes(bytes_of(system) + factor.bytes()) {}
+    Cholesky factor;
+    double bytes;
+};
+
+DirectFactor::DirectFactor(const SparseSystem& system) : impl_(std::make_unique<Impl>(system)) {}
+DirectFactor::~DirectFactor() = default;
+
+double DirectFactor::bytes() const { return impl_->bytes; }
+
+std::vector<double> DirectFactor::solve(const std::vector<double>& right_hand_side) {
+    const Vector values = impl_->factor.solve(vector_of(right_hand_side));
+    return {values.begin(), values.end()};
+}
+
+std::vector<double> DirectFactor::inverse_block(const std::vector<int>& rows) {
+    constexpr std::size_t columns_at_once = 64;  // enough for the dense kernels, little enough for the memory
+    std::vector<double> block(rows.size() * rows.size());
+    for (std::size_t first = 0; first < rows.size(); first += columns_at_once) {
+        const std::size_t count = std::min(columns_at_once, rows.size() - first);
+        Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(impl_->factor.rows(), static_cast<Eigen::Index>(count));
+        for (std::size_t k = 0; k < count; ++k) unit(rows[first + k], static_cast<Eigen::Index>(k)) = 1;
+        const Eigen::MatrixXd column = impl_->factor.solve(unit);
+        for (std::size_t row = 0; row < rows.size(); ++row)
+            for (std::size_t k = 0; k < count; ++k) block[row * rows.size() + first + k] = column(rows[row], static_cast<Eigen::Index>(k));
+    }
+    return block;
 }
 
 SparseSolution solve_iterative(const SparseSystem& system, double tolerance, int iteration_limit) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,5 +36,23 @@ SparseSolution solve_direct(const SparseSystem& system);
 /// matrix of the vertices (the linear elements inside the quadratic ones), a backward sweep. The number of iterations hardly grows
 /// with the mesh. Stops at |A x - b| <= tolerance |b|; throws Error if that takes more than `iteration_limit` iterations.
 SparseSolution solve_iterative(const SparseSystem& system, double tolerance, int iteration_limit);
+
+/// A factorised system, for many right-hand sides. Throws Error if the matrix is singular to working precision.
+class DirectFactor {
+public:
+    explicit DirectFactor(const SparseSystem& system);
+    ~DirectFactor();
+    DirectFactor(const DirectFactor&) = delete;
+    DirectFactor& operator=(const DirectFactor&) = delete;
+
+    std::vector<double> solve(const std::vector<double>& right_hand_side);
+    /// The block of the inverse matrix at these rows and columns, row by row.
+    std::vector<double> inverse_block(const std::vector<int>& rows);
+    double bytes() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace cleave::fem

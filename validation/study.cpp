@@ -3,12 +3,14 @@
 #include "validation/studies/contact_fields.hpp"
 #include "validation/studies/contact_hertz.hpp"
 #include "validation/studies/contact_indentation.hpp"
+#include "validation/studies/fem_indentation.hpp"
 #include "validation/studies/kernel_properties.hpp"
 
 namespace cleave::validation {
 
 const std::vector<StudyInfo>& studies() {
     static const std::vector<StudyInfo> list{
+        fem_indentation_study(),
         kernel_properties_study(),
         contact_hertz_study(),
         contact_fields_study(),

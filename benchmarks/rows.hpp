@@ -16,5 +16,7 @@ void register_subdivision(Level level, Bodies& bodies);
 void register_instructions(Bodies& bodies);
 /// fragments/...: removing links and finding the fragments.
 void register_fragments(Level level, Bodies& bodies);
+/// stress_analysis/...: what one contact costs, from the load to the cracks.
+void register_stress_analysis();
 
 }  // namespace cleave::benchmarks

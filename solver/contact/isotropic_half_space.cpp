@@ -27,19 +27,31 @@ struct Derivatives {
     double n2ppp = 0, n1ppp = 0, n0pp = 0, belowp = 0, below2 = 0;  // of the gradient only
 };
 
+using Complex = std::complex<double>;
+
+double root(double square) { return std::sqrt(square); }
+
+/// The root with a positive real part, for squares with an imaginary part of at least zero; half the cost of std::sqrt.
+Complex root(const Complex& square) {
+    const double c = square.real(), d = square.imag(), size = std::sqrt(c * c + d * d);
+    if (c >= 0) {
+        const double re = std::sqrt(0.5 * (size + c));
+        return {re, re > 0 ? 0.5 * d / re : 0};
+    }
+    const double im = std::sqrt(0.5 * (size - c));
+    return {0.5 * d / im, im};
+}
+
 /// n_k and their rho-derivatives at (rho, z): R = sqrt(rho + z^2), v = R + z, L = ln v. Each was integrated by z and checked by
 /// differentiation; the constants make each harmonic (4 rho n'' + 4 n' = -n_{k-2}).
 template <typename Scalar>
 struct Source {
-    Scalar z, R, v, L;
+    Scalar z, R, v, L{};
     double rho;
 
-    Source(double rho_, Scalar z_) : z(z_), rho(rho_) {
+    Source(double rho_, Scalar z_, bool with_logarithm) : z(z_), R(root(rho_ + z * z)), v(R + z), rho(rho_) {
         using std::log;
-        using std::sqrt;
-        R = sqrt(rho + z * z);
-        v = R + z;
-        L = log(v);
+        if (with_logarithm) L = log(v);
     }
 
     Scalar n5p() const { return -0.25 * (z * (R * R + R * z + z * z) / (12.0 * v) - 0.625 * z * R - 0.25 * z * z + (0.5 * z * z - 0.125 * rho) * L); }
@@ -68,15 +80,13 @@ struct Source {
     Scalar below2() const { return (2.0 * z * z - rho) / (R * R * R * R * R); }
 };
 
-using Complex = std::complex<double>;
-
 double real_part(double value) { return value; }
 double real_part(const Complex& value) { return value.real(); }
 
 /// Of one source, real or complex; the real part then stands for the source and its mirror image at the conjugate depth.
 template <typename Scalar>
 Derivatives of_source(double rho, Scalar z, bool gradient) {
-    const Source<Scalar> s(rho, z);
+    const Source<Scalar> s(rho, z, false);
     Derivatives d{real_part(s.n2p()), real_part(s.n2pp()), real_part(s.n1p()), real_part(s.n1pp()),
                   real_part(s.n0()),  real_part(s.n0p()),  real_part(s.below())};
     if (!gradient) return d;
@@ -90,7 +100,7 @@ Derivatives of_source(double rho, Scalar z, bool gradient) {
 
 /// Of Hertz's pressure on the unit circle.
 Derivatives of_unit_circle(double rho, double z, bool gradient) {
-    const Source<Complex> s(rho, Complex(z, 1));
+    const Source<Complex> s(rho, Complex(z, 1), true);
     const auto closed = [](const Complex& third, const Complex& second) { return 3 * (third.imag() - second.real()); };
     const Complex n4p = s.n4p(), n4pp = s.n4pp(), n3p = s.n3p(), n2 = s.n2();
     Derivatives d{closed(s.n5p(), n4p), closed(s.n5pp(), n4pp), closed(n4p, n3p), closed(n4pp, s.n3pp()),
@@ -104,9 +114,20 @@ Derivatives of_unit_circle(double rho, double z, bool gradient) {
     return d;
 }
 
-/// Distance in radii from which on Hertz's pressure is two sources at the depths +- i a / sqrt(5) (Gauss's rule of the weight 1 - s^2):
-/// off by 0.05 (a/R)^4, where the closed form has lost (R/a)^3 of its digits.
-constexpr double far = 60;
+// Farther off, Hertz's pressure on the unit circle is a few sources at imaginary depths by Gauss's rule of the weight 1 - s^2, where the
+// closed form costs more and loses (R/a)^3 of its digits: two at +- i/sqrt(5) leave 0.05 (a/R)^4, one more 0.01 (a/R)^6.
+
+constexpr double far = 26, middle = 8;  ///< distances in radii from which on two, three sources do: 1e-7
+
+Derivatives of_two_sources(double rho, double z, bool gradient) { return of_source(rho, Complex(z, 1 / std::sqrt(5.0)), gradient); }
+
+Derivatives of_three_sources(double rho, double z, bool gradient) {
+    const Derivatives pair = of_source(rho, Complex(z, std::sqrt(3.0 / 7)), gradient), one = of_source(rho, z, gradient);
+    const auto mean = [](double of_pair, double of_one) { return (7 * of_pair + 8 * of_one) / 15; };
+    return {mean(pair.n2p, one.n2p),       mean(pair.n2pp, one.n2pp),     mean(pair.n1p, one.n1p),   mean(pair.n1pp, one.n1pp),
+            mean(pair.n0, one.n0),         mean(pair.n0p, one.n0p),       mean(pair.below, one.below), mean(pair.n2ppp, one.n2ppp),
+            mean(pair.n1ppp, one.n1ppp),   mean(pair.n0pp, one.n0pp),     mean(pair.belowp, one.belowp), mean(pair.below2, one.below2)};
+}
 
 /// A place with its lengths in units of `length`, on or below the surface.
 struct Place {
@@ -118,7 +139,9 @@ Place place(const IsotropicContact& contact, const Eigen::Vector3d& position, bo
     const double a = contact.radius > 0 ? contact.radius : position.norm();
     const double x = position[0] / a, y = position[1] / a, z = std::max(position[2] / a, 0.0), rho = x * x + y * y;
     if (contact.radius <= 0) return {a, x, y, z, of_source(rho, z, gradient)};
-    if (rho + z * z > far * far) return {a, x, y, z, of_source(rho, Complex(z, 1 / std::sqrt(5.0)), gradient)};
+    const double distance = rho + z * z;
+    if (distance > far * far) return {a, x, y, z, of_two_sources(rho, z, gradient)};
+    if (distance > middle * middle) return {a, x, y, z, of_three_sources(rho, z, gradient)};
     // On the circle itself 1/R is singular, and multiplied by z = 0: step inside.
     const double least = 1e-12;
     return {a, x, y, z, of_unit_circle(rho, std::max(z, std::abs(rho - 1) < least ? least : 0.0), gradient)};

@@ -65,13 +65,13 @@ TEST(Stroh, GradientIsTheDisplacementsDerivative) {
     }
 }
 
-/// Every material of the catalogue, in three attitudes: what nodes chosen adaptively are for. 256 directions lose 15 % of the load below
+/// In three attitudes: what nodes chosen adaptively are for. (Every material of the catalogue: the case contact_stroh.) 256 directions lose 15 % of the load below
 /// a fibre that stands on the surface.
 TEST(Stroh, TheForceGoesThrough) {
     const Vector3d force(3, -2, 5);
     std::mt19937 generator(6);
     const Eigen::Matrix3d turn = material::test::random_rotation(generator);
-    for (const std::string& name : material::catalogue_names())
+    for (const std::string name : {"soda-lime glass", "silicon", "T300/5208", "Sitka spruce"})
         for (const Vector3d& inward : {Vector3d(1, 0, 0), Vector3d(0, 0, 1), Vector3d(turn.col(1))})
             for (const double radius : {0.0, 0.6}) {
                 const HalfSpaceField field = half_space_field(material::find_material(name).stiffness,

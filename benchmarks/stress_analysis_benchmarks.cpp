@@ -1,0 +1,124 @@
+#include "benchmarks/rows.hpp"
+
+#include "benchmarks/timing.hpp"
+#include "solver/contact/half_space.hpp"
+#include "solver/fracture/crack_generation.hpp"
+#include "solver/material/material.hpp"
+#include "solver/mesh/morton.hpp"
+#include "solver/mesh/test/test_meshes.hpp"
+#include "solver/particles/neighbourhood.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <memory>
+#include <string>
+
+namespace cleave::benchmarks {
+namespace {
+
+constexpr int passes = 401;
+constexpr int wished_neighbours = 100;
+
+/// A cube of 6,000 tets (1 m), hit in the middle of its top; operator `corrected` with the default supports, and a kernel at the contact
+/// that holds about a hundred particles.
+struct HitBody {
+    explicit HitBody(const material::Stiffness& stiffness)
+        : mesh(mesh::in_morton_order(mesh::test::kuhn_cube(10, 0.15))), particles(particles::from_mesh(mesh)), op(corrected()),
+          solid(elasticity::uniform_solid(stiffness, particles.size())) {
+        const double factor = kernel_factor();
+        for (Eigen::Matrix3d& tensor : particles.tensor) tensor /= factor;
+    }
+
+    elasticity::StrainOperator corrected() {
+        const particles::Neighbourhood neighbourhood = particles::build_neighbourhood(particles);
+        return elasticity::make_strain_operator("corrected", particles, neighbourhood);
+    }
+
+    /// By how much the supports have to grow for the kernel about the contact to hold the neighbours wished for.
+    double kernel_factor() const {
+        std::vector<double> distance;
+        for (const Eigen::Vector3d& x : particles.position) distance.push_back((x - load.point).norm());
+        const auto nearest = std::min_element(distance.begin(), distance.end()) - distance.begin();
+        const double support = particles.support_radius[nearest];
+        std::nth_element(distance.begin(), distance.begin() + wished_neighbours, distance.end());
+        return distance[wished_neighbours] / support;
+    }
+
+    fracture::Body body() const { return {particles, op, solid, {{.strength = 1e6, .strain_limit = 1e-4, .toughness = fracture::Toughness::uniform(8)}}, {}, 0.3, 2}; }
+
+    contact::ContactLoad load{.point = {0.5, 0.5, 1}, .inward = {0, 0, -1}, .force = {2e4, 0, -1e5}, .radius = 0.015};
+    mesh::TetMesh mesh;
+    particles::Particles particles;
+    elasticity::StrainOperator op;
+    elasticity::Solid solid;
+};
+
+/// A displacement source over a half-space field made for this contact.
+fracture::Displacement displacement(const HitBody& body, const std::shared_ptr<const contact::HalfSpace>& half_space) {
+    return [&body, field = contact::HalfSpaceField(half_space, body.load)](std::span<const int> ids, std::span<Eigen::Vector3d> values) {
+        for (std::size_t k = 0; k < ids.size(); ++k) values[k] = field.displacement(body.particles.position[ids[k]]);
+    };
+}
+
+void report(benchmark::State& state, const std::vector<double>& seconds) {
+    state.SetIterationTime(median(seconds));
+    state.counters["microseconds"] = 1e6 * median(seconds);
+}
+
+/// One contact: half-space field, Algorithm 1 with its displacements, gradients, stresses, principal directions and radii, 4 groups.
+void one_contact(benchmark::State& state, const material::Stiffness& stiffness, double accuracy) {
+    const HitBody body(stiffness);
+    const auto half_space = std::make_shared<contact::HalfSpace>(stiffness, body.load.inward, contact::HalfSpaceOptions{.accuracy = accuracy});
+    fracture::CrackGenerator generator(body.body());
+    fracture::Options options;
+    options.groups = 4;
+    const fracture::AnalysedPoint point{body.load.point, body.load.inward, {1, 0, 0}};
+    std::size_t displacements = 0;
+    const auto counted = [&](std::span<const int> ids, std::span<Eigen::Vector3d> values) {
+        displacements = ids.size();
+        displacement(body, half_space)(ids, values);
+    };
+    fracture::CrackAnalysis analysis = generator.generate(point, counted, options);
+    std::vector<double> seconds;
+    for (auto _ : state) {
+        for (int pass = 0; pass < passes; ++pass)
+            seconds.push_back(seconds_of([&] { analysis = generator.generate(point, displacement(body, half_space), options); }));
+        report(state, seconds);
+    }
+    if (analysis.points.front().groups.size() != 4) throw std::logic_error("stress analysis: four groups");
+    state.counters["neighbours"] = analysis.points.front().considered;
+    state.counters["displacements"] = static_cast<double>(displacements);
+    state.counters["cracks"] = static_cast<double>(analysis.cracks.size());
+}
+
+/// The first contact under a new direction of the surface: also the Stroh eigenvectors.
+void first_contact(benchmark::State& state, const material::Stiffness& stiffness, double accuracy) {
+    const HitBody body(stiffness);
+    std::vector<double> seconds;
+    for (auto _ : state) {
+        for (int pass = 0; pass < 21; ++pass)
+            seconds.push_back(seconds_of([&] {
+                const auto half_space = std::make_shared<contact::HalfSpace>(stiffness, body.load.inward, contact::HalfSpaceOptions{.accuracy = accuracy});
+                const contact::HalfSpaceField field(half_space, body.load);
+                for (const Eigen::Vector3d& x : body.particles.position)
+                    if ((x - body.load.point).norm() < 0.15) benchmark::DoNotOptimize(field.displacement(x));
+            }));
+        report(state, seconds);
+    }
+}
+
+void add(const std::string& name, void (*row)(benchmark::State&, const material::Stiffness&, double), const std::string& material, double accuracy) {
+    benchmark::RegisterBenchmark(("stress_analysis/" + name).c_str(), [=](benchmark::State& state) {
+        row(state, material::find_material(material).stiffness, accuracy);
+    })->UseManualTime()->Iterations(1)->Unit(benchmark::kMicrosecond);
+}
+
+}  // namespace
+
+void register_stress_analysis() {
+    add("isotropic", one_contact, "soda-lime glass", 1e-3);
+    add("anisotropic", one_contact, "silicon", 1e-3);
+    add("anisotropic_new_normal", first_contact, "silicon", 1e-3);
+}
+
+}  // namespace cleave::benchmarks

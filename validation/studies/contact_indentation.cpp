@@ -53,10 +53,11 @@ double paraboloid_error(const ContactSurface& surface, const analytic::FourierHa
 
 class ContactIndentation final : public Study {
 public:
+    explicit ContactIndentation(std::vector<ContactSurface> surfaces) : surfaces_(std::move(surfaces)) {}
+
     StudyOutcome run(const StudyContext& context) const override {
         StudyOutcome outcome;
-        std::vector<ContactSurface> surfaces = contact_surfaces();
-        std::vector<ContactSurface> with_example = surfaces;
+        std::vector<ContactSurface> with_example = context.level == "full" ? contact_surfaces() : surfaces_;
         with_example.push_back(willis_example());
         for (const ContactSurface& surface : with_example) {
             const contact::HalfSpace solver(surface.stiffness, Vector3d::UnitZ(), {.form = contact::HalfSpaceForm::stroh});
@@ -67,7 +68,7 @@ public:
             outcome.values.push_back({"surface_compliance_error", "turned", surface.name, h_error(solver, fourier, pi / 4)});
             outcome.values.push_back({"paraboloid_error", "stroh", surface.name, paraboloid_error(surface, fourier)});
         }
-        outcome.artifacts.push_back(draw(surfaces, context));
+        outcome.artifacts.push_back(draw(surfaces_, context));
         return outcome;
     }
 
@@ -91,6 +92,8 @@ private:
         }
         return {context.folder + "/surface_compliance.csv", "Compliance of the surface by direction, over its mean", "direction / deg", "h / mean h"};
     }
+
+    std::vector<ContactSurface> surfaces_;  // of level quick
 };
 
 }  // namespace
@@ -98,10 +101,10 @@ private:
 StudyInfo contact_indentation_study() {
     return {"contact_indentation",
             "indentation modulus, surface compliance by direction and the paraboloid under Hertz's pressure, by Stroh and by Barnett and Lothe",
-            {},
+            {"surfaces"},
             {{"indentation_modulus", dimension::pressure}, {"surface_compliance_error", dimension::none}, {"paraboloid_error", dimension::none}},
             {"stroh", "analytic", "turned"},
-            [](TableReader&) -> std::shared_ptr<const Study> { return std::make_shared<ContactIndentation>(); }};
+            [](TableReader& table) -> std::shared_ptr<const Study> { return std::make_shared<ContactIndentation>(read_surfaces(table)); }};
 }
 
 }  // namespace cleave::validation

@@ -53,6 +53,21 @@ std::vector<ContactSurface> contact_surfaces(const std::vector<std::string>& nam
     return chosen;
 }
 
+std::vector<ContactSurface> read_surfaces(TableReader& study) {
+    try {
+        return contact_surfaces(study.strings("surfaces"));
+    } catch (const std::invalid_argument& error) {
+        study.fail("surfaces", error.what());
+    }
+}
+
+std::vector<ContactSurface> one_surface_of_each() {
+    std::vector<ContactSurface> chosen;
+    for (const ContactSurface& surface : contact_surfaces())
+        if (surface.isotropic || surface.name.ends_with("(111)") || surface.name.ends_with("normal")) chosen.push_back(surface);
+    return chosen;
+}
+
 analytic::Point plain(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 Eigen::Vector3d eigen(const analytic::Point& p) { return {p[0], p[1], p[2]}; }
 

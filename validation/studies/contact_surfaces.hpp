@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/input/table_reader.hpp"
 #include "solver/material/stiffness.hpp"
 #include "validation/analytic/field.hpp"
 
@@ -15,12 +16,18 @@ struct ContactSurface {
     bool isotropic;
 };
 
-/// Every material of the catalogue: glass; silicon (100), (110), (111); T300/5208 and spruce with the fibre or grain along x of the
-/// surface and along its normal; any further material with its axis 3 and its axis 1 along the normal.
+/// Every material of the catalogue: an isotropic one as it is; a cubic one with (100), (110) and (111) on the surface; others "in surface"
+/// (axis 1, the fibre or grain, along x of the surface, axis 3 along its normal) and "normal" (axis 1 along the normal).
 std::vector<ContactSurface> contact_surfaces();
 
 /// Those names out of contact_surfaces(), in the order given. Throws std::invalid_argument for an unknown one.
 std::vector<ContactSurface> contact_surfaces(const std::vector<std::string>& names);
+
+/// Reads the key `surfaces`, names of surfaces. Throws InputError.
+std::vector<ContactSurface> read_surfaces(TableReader& study);
+
+/// One surface of every material: isotropic, (111) or normal.
+std::vector<ContactSurface> one_surface_of_each();
 
 analytic::Point plain(const Eigen::Vector3d& v);
 Eigen::Vector3d eigen(const analytic::Point& p);

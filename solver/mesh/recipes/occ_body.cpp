@@ -10,6 +10,9 @@
 #include <fmt/format.h>
 #include <gmsh.h>
 
+#include <algorithm>
+#include <stdexcept>
+
 namespace cleave::mesh {
 namespace {
 
@@ -43,7 +46,10 @@ TetMesh meshed_by_gmsh(const OccBody& body, const OccRequest& request) {
         session.run([] { gmsh::model::mesh::clear(); });
         session.set_uniform_size(size);
         session.generate();
-        return session.take_mesh();
+        TetMesh mesh = session.take_mesh();
+        const bool strays = std::find(mesh.regions.begin(), mesh.regions.end(), 0) != mesh.regions.end();
+        if (strays) throw std::logic_error(body.name + ": the recipe left a volume behind that belongs to no region");
+        return mesh;
     };
     return tune_count(make, body.first_size, request.target).mesh;
 }

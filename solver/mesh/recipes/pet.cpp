@@ -1,5 +1,7 @@
 #include "solver/mesh/recipes/pet.hpp"
 
+#include "solver/mesh/gmsh_session.hpp"
+
 #include <Eigen/Core>
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -20,11 +22,12 @@ public:
         for (const double x : {-0.24, 0.24}) {
             for (const double side : {-1.0, 1.0}) outer.push_back(leg(x, side));
         }
-        const Part solid = fused(outer), cavity = fused({body(shape_.wall), head(shape_.wall)});
-        gmsh::vectorpair hollow;
+        gmsh::vectorpair solid, hollow;
         std::vector<gmsh::vectorpair> unused;
-        occ::cut({solid}, {cavity}, hollow, unused);
-        return hollow.at(0).second;
+        occ::fuse({outer.front()}, {outer.begin() + 1, outer.end()}, solid, unused);
+        occ::cut(solid, {body(shape_.wall), head(shape_.wall)}, hollow, unused);
+        if (hollow.size() != 1) throw MeshingError(fmt::format("pet: the shape falls into {} pieces", hollow.size()));
+        return hollow.front().second;
     }
 
 private:
@@ -45,13 +48,6 @@ private:
     Part ear(double side) const { return cylinder({0.52, 0.05 * side, 0.86}, {-0.05, 0.14 * side, 0.26}, 0.055); }
     Part leg(double x, double side) const { return cylinder({x, 0.11 * side, 0}, {0, 0, 0.40}, 0.07); }
     Part tail() const { return cylinder({-0.40, 0, 0.52}, {-0.34, 0, 0.20}, 0.05); }
-
-    static Part fused(const gmsh::vectorpair& parts) {
-        gmsh::vectorpair result;
-        std::vector<gmsh::vectorpair> unused;
-        occ::fuse({parts.front()}, {parts.begin() + 1, parts.end()}, result, unused);
-        return result.at(0);
-    }
 
     const PetShape& shape_;
 };

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace cleave::mesh::test {
 namespace {
@@ -63,6 +66,46 @@ TetMesh unit_tet() {
     mesh.tets = {{0, 1, 2, 3}};
     mesh.regions = {1};
     return mesh;
+}
+
+SurfaceMesh cube_surface() {
+    SurfaceMesh surface;
+    for (int i = 0; i < 8; ++i) surface.vertices.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+    const std::array<std::array<int, 4>, 6> sides{{{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+    for (const auto& [a, b, c, d] : sides) {
+        surface.triangles.push_back({{a, b, c}, 0});
+        surface.triangles.push_back({{a, c, d}, 0});
+    }
+    return surface;
+}
+
+SurfaceMesh sphere_surface(int rounds) {
+    SurfaceMesh surface;
+    for (int axis = 0; axis < 3; ++axis) {
+        surface.vertices.push_back(Eigen::Vector3d::Unit(axis));
+        surface.vertices.push_back(-Eigen::Vector3d::Unit(axis));
+    }
+    for (int octant = 0; octant < 8; ++octant) {
+        std::array<int, 3> corners{octant & 1, 2 + (octant >> 1 & 1), 4 + (octant >> 2 & 1)};
+        if ((corners[0] + corners[1] + corners[2]) % 2 == 1) std::swap(corners[0], corners[1]);  // a mirrored octant
+        surface.triangles.push_back({corners, 0});
+    }
+    for (int round = 0; round < rounds; ++round) {
+        std::map<std::pair<int, int>, int> middles;
+        const auto middle = [&](int a, int b) {
+            const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), static_cast<int>(surface.vertices.size()));
+            if (is_new) surface.vertices.push_back((surface.vertices[a] + surface.vertices[b]).normalized());
+            return found->second;
+        };
+        std::vector<SurfaceTriangle> finer;
+        for (const SurfaceTriangle& triangle : surface.triangles) {
+            const auto [a, b, c] = triangle.vertices;
+            const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+            for (const std::array<int, 3>& part : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) finer.push_back({part, 0});
+        }
+        surface.triangles = std::move(finer);
+    }
+    return surface;
 }
 
 }  // namespace cleave::mesh::test

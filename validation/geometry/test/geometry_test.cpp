@@ -1,7 +1,11 @@
+#include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
 #include "solver/input/table_reader.hpp"
 #include "solver/mesh/check.hpp"
 #include "solver/mesh/msh_file.hpp"
+#include "solver/mesh/obj_file.hpp"
+#include "solver/mesh/test/test_meshes.hpp"
+#include "solver/mesh/vtu_file.hpp"
 #include "validation/geometry/shape.hpp"
 
 #include <Eigen/Geometry>
@@ -96,6 +100,45 @@ TEST(Imported, UsesTheFilesTagsAndRefusesInvertedTets) {
     std::swap(mesh.tets[3][0], mesh.tets[3][1]);
     mesh::write_msh(mesh, folder / "inverted.msh");
     EXPECT_THROW(shape("mesh = \"" + (folder / "inverted.msh").string() + "\"\n"), InputError);
+}
+
+TEST(Imported, SurfacesAreMeshedAtTheLaddersSize) {
+    const std::filesystem::path file = folder / "cube.obj";
+    write_file_atomic(file, mesh::format_obj(mesh::test::cube_surface()));
+    for (const char* mesher : {"netgen", "gmsh"}) {
+        const auto cube = shape("mesh = \"" + file.string() + "\"\nmesher = \"" + mesher + "\"\n");
+        EXPECT_EQ(cube->length("extent"), 1);
+        EXPECT_THROW(cube->length("mesh_size"), std::invalid_argument);  // so that a case needs a ladder
+        const Body body = cube->mesh(0.5, folder);
+        const mesh::TetMesh mesh = mesh::read_msh(body.mesh_file);
+        mesh::check(mesh, mesher);
+        EXPECT_NEAR(mesh::total_volume(mesh), 1, 1e-12);
+        const std::map<int, double> area = areas(mesh);
+        for (const std::string& name : cube->surface_names()) EXPECT_NEAR(area.at(body.surfaces.at(name)), 1, 1e-12) << name;
+        EXPECT_EQ(area.size(), 6U);
+        EXPECT_EQ(cube->mesh(0.5, folder).mesh_file, body.mesh_file);
+        EXPECT_NE(cube->mesh(0.9, folder).mesh_file, body.mesh_file);
+    }
+}
+
+TEST(Imported, TetsOfOtherFormatsBecomeOneMsh) {
+    const mesh::TetMesh mesh = mesh::test::kuhn_cube(2);
+    write_file_atomic(folder / "cube.vtu", mesh::format_vtu(mesh));
+    const auto cube = shape("mesh = \"" + (folder / "cube.vtu").string() + "\"\n");
+    EXPECT_GT(cube->length("mesh_size"), 0.1);
+    const mesh::TetMesh read = mesh::read_msh(cube->mesh(1, folder).mesh_file);
+    EXPECT_EQ(read.vertices, mesh.vertices);
+    EXPECT_EQ(read.tets, mesh.tets);
+}
+
+TEST(Imported, BrokenSurfacesAreOneLine) {
+    mesh::SurfaceMesh open = mesh::test::cube_surface();
+    open.triangles.pop_back();
+    write_file_atomic(folder / "open.obj", mesh::format_obj(open));
+    EXPECT_THROW(shape("mesh = \"" + (folder / "open.obj").string() + "\"\n"), InputError);
+    mesh::write_msh(mesh::test::kuhn_cube(1), folder / "tets.msh");
+    EXPECT_NO_THROW(shape("mesh = \"" + (folder / "tets.msh").string() + "\"\n"));
+    EXPECT_THROW(shape("mesh = \"" + (folder / "tets.msh").string() + "\"\nmesher = \"gmsh\"\n"), InputError);  // tets are not meshed
 }
 
 }  // namespace

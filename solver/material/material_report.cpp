@@ -1,5 +1,7 @@
 #include "solver/material/material_report.hpp"
 
+#include "solver/material/elastic_extremes.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -63,6 +65,50 @@ Json engineering_json(const Stiffness& c) {
             {"nu12", rounded(k.nu12)}, {"nu13", rounded(k.nu13)}, {"nu23", rounded(k.nu23)}};
 }
 
+Json average_json(const AggregateModuli& moduli) {
+    return {{"bulk_GPa", rounded(moduli.bulk * 1e-9)}, {"shear_GPa", rounded(moduli.shear * 1e-9)},
+            {"youngs_GPa", rounded(moduli.young() * 1e-9)}, {"poisson", rounded(moduli.poisson())}};
+}
+
+Json averages_json(const Stiffness& c) {
+    return {{"voigt", average_json(voigt_moduli(c))}, {"reuss", average_json(reuss_moduli(c))}, {"hill", average_json(hill_moduli(c))}};
+}
+
+/// Directions to six decimals: an extreme fixes its place only to the root of the rounding.
+Json direction_json(const Eigen::Vector3d& direction) {
+    Json numbers = Json::array();
+    for (const double x : direction) numbers.push_back(std::abs(x) < 5e-7 ? 0.0 : std::round(x * 1e6) * 1e-6);
+    return numbers;
+}
+
+Json extremes_json(const Extremes& extremes, double unit) {
+    const auto one = [&](const Extreme& extreme) {
+        Json json{{"value", rounded(extreme.value / unit)}, {"along", direction_json(extreme.first)}};
+        if (!extreme.second.isZero()) json["across"] = direction_json(extreme.second);
+        return json;
+    };
+    return {{"min", one(extremes.smallest)}, {"max", one(extremes.largest)}};
+}
+
+Json all_extremes_json(const Stiffness& c) {
+    return {{"youngs_modulus_GPa", extremes_json(youngs_modulus_extremes(c), 1e9)},
+            {"shear_modulus_GPa", extremes_json(shear_modulus_extremes(c), 1e9)},
+            {"poisson_ratio", extremes_json(poisson_ratio_extremes(c), 1)}};
+}
+
+Json wave_speeds_json(const Material& material) {
+    if (!(material.density > 0)) return nullptr;
+    Json json;
+    for (const auto& [name, direction] : {std::pair{"100", Eigen::Vector3d(1, 0, 0)}, std::pair{"010", Eigen::Vector3d(0, 1, 0)},
+                                          std::pair{"001", Eigen::Vector3d(0, 0, 1)}, std::pair{"110", Eigen::Vector3d(1, 1, 0)},
+                                          std::pair{"101", Eigen::Vector3d(1, 0, 1)}, std::pair{"011", Eigen::Vector3d(0, 1, 1)},
+                                          std::pair{"111", Eigen::Vector3d(1, 1, 1)}}) {
+        const Eigen::Vector3d speeds = wave_speeds(material.stiffness, material.density, direction);
+        json[name] = {rounded(speeds[0]), rounded(speeds[1]), rounded(speeds[2])};
+    }
+    return json;
+}
+
 Json given(double value) { return value > 0 ? Json(rounded(value)) : Json(nullptr); }
 
 std::string matrix_text(const char* title, const Stiffness& m) {
@@ -108,6 +154,9 @@ nlohmann::ordered_json material_json(const Material& material) {
     json["hill_youngs_modulus_GPa"] = rounded(hill_youngs_modulus(c) * 1e-9);
     // An isotropic solid leaves rounding of either sign.
     json["universal_anisotropy"] = std::abs(universal_anisotropy(c)) < 1e-12 ? 0.0 : rounded(universal_anisotropy(c));
+    json["averages"] = averages_json(c);
+    json["extremes"] = all_extremes_json(c);
+    json["wave_speeds_m_per_s"] = wave_speeds_json(material);
     json["density_kg_per_m3"] = given(material.density);
     json["strength_MPa"] = given(material.strength * 1e-6);
     json["toughness_J_per_m2"] = given(material.toughness);

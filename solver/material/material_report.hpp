@@ -18,6 +18,10 @@ namespace cleave::material {
 ///   stiffness_GPa, compliance_per_GPa   6x6, Voigt order xx, yy, zz, yz, xz, xy, engineering shear
 ///   eigenvalues_GPa      Kelvin's six, ascending
 ///   hill_youngs_modulus_GPa, universal_anisotropy
+///   averages             { voigt, reuss, hill }: { bulk_GPa, shear_GPa, youngs_GPa, poisson } of the isotropic aggregate
+///   extremes             { youngs_modulus_GPa, shear_modulus_GPa, poisson_ratio }: { min, max }: { value, along, across }, over all directions
+///   wave_speeds_m_per_s  along "100", "010", "001", "110", "101", "011", "111" of x, y, z: [slow shear, fast shear, longitudinal];
+///                        null without a density
 ///   density_kg_per_m3, strength_MPa, toughness_J_per_m2   null where not given
 ///   sources              [ { property, text } ]
 nlohmann::ordered_json material_json(const Material& material);

@@ -20,26 +20,6 @@ Stiffness kelvin_form(const Stiffness& c) {
     return scale.asDiagonal() * c * scale.asDiagonal();
 }
 
-/// Invariants of the isotropic averages: bulk and shear modulus (Pa).
-struct Average {
-    double bulk = 0;
-    double shear = 0;
-};
-
-/// Uniform strain: 9 K = C_iijj, 30 G = 3 C_ijij - C_iijj (Voigt 1928).
-Average voigt_average(const Stiffness& c) {
-    const double diagonal = c(0, 0) + c(1, 1) + c(2, 2);
-    const double mixed = c(0, 1) + c(0, 2) + c(1, 2);
-    return {(diagonal + 2 * mixed) / 9, (diagonal - mixed + 3 * (c(3, 3) + c(4, 4) + c(5, 5))) / 15};
-}
-
-/// Uniform stress (Reuss 1929).
-Average reuss_average(const Stiffness& s) {
-    const double diagonal = s(0, 0) + s(1, 1) + s(2, 2);
-    const double mixed = s(0, 1) + s(0, 2) + s(1, 2);
-    return {1 / (diagonal + 2 * mixed), 15 / (4 * (diagonal - mixed) + 3 * (s(3, 3) + s(4, 4) + s(5, 5)))};
-}
-
 /// a : S : b for the symmetric dyads of unit vectors; stresses in Voigt form, so no factor of two.
 double contract(const Stiffness& s, const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
     return stress_to_voigt(a).dot(s * stress_to_voigt(b));
@@ -143,17 +123,28 @@ EngineeringConstants engineering_constants(const Stiffness& stiffness) {
             -s(0, 1) / s(0, 0), -s(0, 2) / s(0, 0), -s(1, 2) / s(1, 1)};
 }
 
-double hill_youngs_modulus(const Stiffness& stiffness) {
-    const Average v = voigt_average(stiffness);
-    const Average r = reuss_average(compliance(stiffness));
-    const double bulk = 0.5 * (v.bulk + r.bulk);
-    const double shear = 0.5 * (v.shear + r.shear);
-    return 9 * bulk * shear / (3 * bulk + shear);
+AggregateModuli voigt_moduli(const Stiffness& c) {
+    const double diagonal = c(0, 0) + c(1, 1) + c(2, 2);
+    const double mixed = c(0, 1) + c(0, 2) + c(1, 2);
+    return {(diagonal + 2 * mixed) / 9, (diagonal - mixed + 3 * (c(3, 3) + c(4, 4) + c(5, 5))) / 15};
 }
 
+AggregateModuli reuss_moduli(const Stiffness& stiffness) {
+    const Stiffness s = compliance(stiffness);
+    const double diagonal = s(0, 0) + s(1, 1) + s(2, 2);
+    const double mixed = s(0, 1) + s(0, 2) + s(1, 2);
+    return {1 / (diagonal + 2 * mixed), 15 / (4 * (diagonal - mixed) + 3 * (s(3, 3) + s(4, 4) + s(5, 5)))};
+}
+
+AggregateModuli hill_moduli(const Stiffness& stiffness) {
+    const AggregateModuli v = voigt_moduli(stiffness), r = reuss_moduli(stiffness);
+    return {0.5 * (v.bulk + r.bulk), 0.5 * (v.shear + r.shear)};
+}
+
+double hill_youngs_modulus(const Stiffness& stiffness) { return hill_moduli(stiffness).young(); }
+
 double universal_anisotropy(const Stiffness& stiffness) {
-    const Average v = voigt_average(stiffness);
-    const Average r = reuss_average(compliance(stiffness));
+    const AggregateModuli v = voigt_moduli(stiffness), r = reuss_moduli(stiffness);
     return 5 * v.shear / r.shear + v.bulk / r.bulk - 6;
 }
 

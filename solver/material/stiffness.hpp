@@ -50,6 +50,21 @@ double shear_modulus(const Stiffness& stiffness, const Eigen::Vector3d& a, const
 
 EngineeringConstants engineering_constants(const Stiffness& stiffness);
 
+/// The isotropic aggregate (Pa).
+struct AggregateModuli {
+    double bulk = 0;
+    double shear = 0;
+    double young() const { return 9 * bulk * shear / (3 * bulk + shear); }
+    double poisson() const { return (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear)); }
+};
+
+/// Uniform strain (Voigt 1928): 9 K = C_iijj, 30 G = 3 C_ijij - C_iijj.
+AggregateModuli voigt_moduli(const Stiffness& stiffness);
+/// Uniform stress (Reuss 1929): the same invariants of the compliance.
+AggregateModuli reuss_moduli(const Stiffness& stiffness);
+/// The mean of both (Hill 1952).
+AggregateModuli hill_moduli(const Stiffness& stiffness);
+
 /// Young's modulus (Pa) of the isotropic aggregate, Hill's mean of the Voigt and Reuss averages (Hill 1952).
 double hill_youngs_modulus(const Stiffness& stiffness);
 

@@ -1,9 +1,8 @@
-#include "reference_fem/discretization_impl.hpp"
+#include "reference_fem/assembly_impl.hpp"
 #include "reference_fem/vector3.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -28,22 +27,6 @@ Point to_point(const dealii::Tensor<1, 3>& tensor) { return {tensor[0], tensor[1
 
 bool is_finite(const Point& value) { return std::isfinite(value[0]) && std::isfinite(value[1]) && std::isfinite(value[2]); }
 
-/// Local number of each (node, component) in the vector-valued element.
-class LocalNumbers {
-public:
-    explicit LocalNumbers(const dealii::FESystem<3>& element) : nodes(element.n_dofs_per_cell() / 3), numbers_(element.n_dofs_per_cell()) {
-        for (unsigned int i = 0; i < numbers_.size(); ++i) {
-            const auto [component, node] = element.system_to_component_index(i);
-            numbers_[3 * node + component] = i;
-        }
-    }
-    unsigned int operator()(unsigned int node, int component) const { return numbers_[3 * node + component]; }
-    const unsigned int nodes;
-
-private:
-    std::vector<unsigned int> numbers_;
-};
-
 /// flow[i][k][j] = C_ikjl g_l: what the gradient g of a shape function in component j adds to the stress (i, k).
 using Flow = std::array<std::array<Point, 3>, 3>;
 Flow flow_of(const Elasticity& material, const Point& gradient) {
@@ -53,22 +36,6 @@ Flow flow_of(const Elasticity& material, const Point& gradient) {
             for (int j = 0; j < 3; ++j)
                 for (int l = 0; l < 3; ++l) flow[i][k][j] += material(i, k, j, l) * gradient[l];
     return flow;
-}
-
-/// Element stiffness: int phi_a,k C_ikjl phi_b,l dV for the component i of node a and j of node b.
-FullMatrix<double> cell_stiffness(const FEValues<3>& values, const LocalNumbers& local, const Elasticity& material) {
-    FullMatrix<double> matrix(3 * local.nodes);
-    for (const unsigned int q : values.quadrature_point_indices())
-        for (unsigned int b = 0; b < local.nodes; ++b) {
-            const Flow flow = flow_of(material, to_point(values.JxW(q) * values.shape_grad(b, q)));
-            for (unsigned int a = 0; a < local.nodes; ++a) {
-                const Point gradient = to_point(values.shape_grad(a, q));
-                for (int i = 0; i < 3; ++i)
-                    for (int j = 0; j < 3; ++j)
-                        for (int k = 0; k < 3; ++k) matrix(local(a, i), local(b, j)) += gradient[k] * flow[i][k][j];
-            }
-        }
-    return matrix;
 }
 
 /// Adds int phi_a f dV (or dA) of one cell or face; `force(q)` is per volume or area.
@@ -192,6 +159,21 @@ std::vector<double> nodal_loads(const Discretization& space, const VectorField& 
     if (body_force) add_body_force(impl, local, body_force, load);
     add_surface_loads(impl, local, loads, load);
     return load;
+}
+
+FullMatrix<double> cell_stiffness(const FEValues<3>& values, const LocalNumbers& local, const Elasticity& material) {
+    FullMatrix<double> matrix(3 * local.nodes);
+    for (const unsigned int q : values.quadrature_point_indices())
+        for (unsigned int b = 0; b < local.nodes; ++b) {
+            const Flow flow = flow_of(material, to_point(values.JxW(q) * values.shape_grad(b, q)));
+            for (unsigned int a = 0; a < local.nodes; ++a) {
+                const Point gradient = to_point(values.shape_grad(a, q));
+                for (int i = 0; i < 3; ++i)
+                    for (int j = 0; j < 3; ++j)
+                        for (int k = 0; k < 3; ++k) matrix(local(a, i), local(b, j)) += gradient[k] * flow[i][k][j];
+            }
+        }
+    return matrix;
 }
 
 Assembly assemble(const Discretization& space, const std::vector<const Elasticity*>& materials, const std::vector<double>& load,

@@ -5,21 +5,7 @@
 namespace cleave::fem {
 namespace {
 
-using dealii::CellData;
-
 dealii::Point<3> to_deal_ii(const Point& point) { return {point[0], point[1], point[2]}; }
-
-void fill(dealii::Triangulation<3>& triangulation, const Mesh& mesh) {
-    std::vector<dealii::Point<3>> vertices;
-    for (const Point& vertex : mesh.vertices) vertices.push_back(to_deal_ii(vertex));
-    std::vector<CellData<3>> cells;
-    for (const auto& cell : mesh.cells) {
-        CellData<3> data(4);
-        for (int i = 0; i < 4; ++i) data.vertices[i] = cell[i];
-        cells.push_back(data);
-    }
-    triangulation.create_triangulation(vertices, cells, {});
-}
 
 /// Our cell data are looked up by deal.II's active cell index and local vertex number: both must be as in the file.
 void check_numbering(const dealii::Triangulation<3>& triangulation, const Mesh& mesh) {
@@ -30,6 +16,18 @@ void check_numbering(const dealii::Triangulation<3>& triangulation, const Mesh& 
 }
 
 }  // namespace
+
+void fill(dealii::Triangulation<3>& triangulation, const Mesh& mesh) {
+    std::vector<dealii::Point<3>> vertices;
+    for (const Point& vertex : mesh.vertices) vertices.push_back(to_deal_ii(vertex));
+    std::vector<dealii::CellData<3>> cells;
+    for (const auto& cell : mesh.cells) {
+        dealii::CellData<3> data(4);
+        for (int i = 0; i < 4; ++i) data.vertices[i] = cell[i];
+        cells.push_back(data);
+    }
+    triangulation.create_triangulation(vertices, cells, {});
+}
 
 Discretization::Discretization(const Mesh& mesh, int degree) : impl_(std::make_unique<Impl>(degree)) {
     fill(impl_->triangulation, mesh);

@@ -10,6 +10,9 @@
 
 namespace cleave::fem {
 
+/// The mesh as deal.II's; active cells and their vertices are numbered as in the mesh.
+void fill(dealii::Triangulation<3>& triangulation, const Mesh& mesh);
+
 /// The deal.II objects; order matters, each refers to those above it.
 struct Discretization::Impl {
     explicit Impl(int degree) : scalar(degree), element(scalar, 3), mapping(dealii::FE_SimplexP<3>(1)) {}

@@ -163,6 +163,16 @@ void reject_unknown(const TomlDocument& document) {
     for (const auto& made : document.children) reject_unknown(*made);
 }
 
+/// The value of "key", or of "key[2]" the third entry of an array; null where there is none.
+toml::node* step_into(toml::table& table, const std::string& step) {
+    const std::size_t bracket = step.find('[');
+    if (bracket == std::string::npos || step.back() != ']') return table.get(step);
+    toml::node* array = table.get(step.substr(0, bracket));
+    const std::string digits = step.substr(bracket + 1, step.size() - bracket - 2);
+    const bool number = !digits.empty() && digits.size() < 9 && digits.find_first_not_of("0123456789") == std::string::npos;
+    return array && array->is_array() && number ? array->as_array()->get(std::stoul(digits)) : nullptr;
+}
+
 std::shared_ptr<TomlDocument> parse(const std::string& text, const std::string& name) {
     auto document = std::make_shared<TomlDocument>();
     try {
@@ -320,7 +330,7 @@ void TableReader::set(const std::string& dotted_key, const std::string& value_te
     toml::table* table = document_->table;
     std::string rest = dotted_key;
     for (std::size_t dot = rest.find('.'); dot != std::string::npos; dot = rest.find('.')) {
-        toml::node* next = table->get(rest.substr(0, dot));
+        toml::node* next = step_into(*table, rest.substr(0, dot));
         if (!next || !next->is_table()) throw InputError(document_->file, dotted_key, "a key inside an existing table");
         table = next->as_table();
         rest = rest.substr(dot + 1);

@@ -70,7 +70,7 @@ public:
     /// "geometry.half_width" for "half_width" in [geometry].
     std::string dotted(const std::string& key) const;
 
-    /// Replaces (or adds) a value by dotted key, as `--set load.pressure="2 MPa"` does. The text is parsed as TOML, and taken
+    /// Replaces (or adds) a value by dotted key, as `--set load.pressure="2 MPa"` does ("body[0].groups": of the first [[body]]). The text is parsed as TOML, and taken
     /// as a string where that fails. Throws InputError where a table on the way does not exist.
     void set(const std::string& dotted_key, const std::string& value_text);
 

@@ -55,7 +55,8 @@ TEST(Catalogue, SpellingIsForgivenAndAWrongNameListsTheRight) {
 
 /// A toughness stated as K_Ic^2 (1 - nu^2) / E must be what the formula gives, to its three digits.
 TEST(Catalogue, ToughnessFollowsFromItsSource) {
-    for (const auto& [name, intensity] : {std::pair{"soda-lime glass", 0.75e6}, std::pair{"alumina", 3.5e6}, std::pair{"silicon carbide", 3.1e6}}) {
+    for (const auto& [name, intensity] : {std::pair{"soda-lime glass", 0.75e6}, std::pair{"alumina", 3.5e6}, std::pair{"silicon carbide", 3.1e6},
+                                          std::pair{"porcelain", 1.19e6}}) {
         const Material material = find_material(name);
         const EngineeringConstants k = engineering_constants(material.stiffness);
         const double expected = intensity * intensity * (1 - k.nu12 * k.nu12) / k.E1;

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "solver/elasticity/strain.hpp"
+#include "solver/fracture/crack_generation.hpp"
+#include "solver/fragments/fragmented_body.hpp"
+#include "solver/fragments/mass_properties.hpp"
+#include "solver/particles/neighbours.hpp"
+#include "solver/rigid/world.hpp"
+#include "solver/simulation/animation.hpp"
+#include "solver/simulation/scene.hpp"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace cleave::simulation {
+
+/// A crack as it was opened, and in which fragment: what a restart repeats.
+struct OpenedCrack {
+    fragments::Crack crack;
+    int fragment = 0;
+};
+
+/// What the last analysis found at an original particle (zero where none came near), single precision: for pictures.
+struct ParticleResult {
+    std::array<float, 6> stress{};  ///< Pa, mean of the particle's group
+    float energy_density = 0;       ///< J/m^3
+};
+
+/// A fragment as rigid bodies and pictures need it.
+struct FragmentForm {
+    fragments::MassProperties mass;
+    rigid::BodyDescription rigid;
+    Shape shape;
+    int boundary_particles = 0;
+};
+
+/// One body of a scene: its tets, kernels and materials, its cracks so far. A ball has a mass and a shape only. Rest coordinates.
+class SceneBody {
+public:
+    /// Meshes (or takes from `cache`), shapes the kernels, builds the strain operator. Throws InputError, MeshingError.
+    SceneBody(const BodySpec& spec, const Scene& scene, const std::filesystem::path& cache);
+    ~SceneBody();
+
+    const BodySpec& spec() const { return spec_; }
+    bool is_ball() const { return !spec_.source; }
+    int original_particles() const { return is_ball() ? 0 : static_cast<int>(mesh_.tets.size()); }
+    /// Particles now: whole ones and children.
+    int particles_now() const;
+    /// Fragments that have not fallen apart, ascending; {0} for a ball.
+    std::vector<int> current_fragments() const;
+    const fragments::FragmentedBody& fragmented() const { return *fragmented_; }
+    const std::vector<OpenedCrack>& history() const { return history_; }
+    const std::vector<ParticleResult>& results() const { return results_; }
+
+    /// Mass, collision shape and picture of a fragment.
+    FragmentForm form(int fragment) const;
+
+    /// The material's indentation modulus (Pa) under a force along `inward` at the particle nearest to a place.
+    double indentation_modulus(const Eigen::Vector3d& place, const Eigen::Vector3d& inward) const;
+
+    /// The point of the body's first surface nearest to `place`, within `reach`; `place` where there is none so near.
+    Eigen::Vector3d surface_point(const Eigen::Vector3d& place, double reach) const;
+
+    /// Algorithm 1 for a load (rest coordinates). Keeps the results of the groups.
+    fracture::CrackAnalysis analyse(const contact::ContactLoad& load);
+
+    /// Opens a crack in a fragment; returns the fragments it became (the same number where it stayed in one piece).
+    std::vector<int> open(const fragments::Crack& crack, int fragment, bool* changed = nullptr);
+
+    /// A body made of the same spec goes through the same cracks again.
+    void repeat(const std::vector<OpenedCrack>& history, std::vector<ParticleResult> results);
+
+private:
+    struct Analysis;  ///< kernels, operator, generator: what only breakable bodies have
+    FragmentForm ball_form() const;
+    void add_shape(int fragment, FragmentForm& form) const;
+    bool is_held(const fragments::Fragment& fragment) const;
+    const BodyMaterial& material_of_region(int region) const;
+    double density_of(int original) const { return density_.at(static_cast<std::size_t>(original)); }
+    void set_materials();
+    void find_surface();
+
+    BodySpec spec_;
+    rigid::BoundaryRule boundary_;
+    bool hulls_ = false;
+    mesh::TetMesh mesh_;
+    std::map<int, Eigen::Matrix3d> frames_;
+    std::map<int, material::Stiffness> stiffness_;  ///< Pa, by region, body axes
+    std::vector<double> density_;                   ///< kg/m^3, per original tet
+    std::unique_ptr<fragments::FragmentedBody> fragmented_;
+    std::vector<OpenedCrack> history_;
+    std::vector<ParticleResult> results_;
+    std::vector<std::array<int, 3>> surface_;       ///< the first boundary's triangles
+    std::unique_ptr<particles::CellGrid> surface_grid_;  ///< of their centroids
+    double surface_size_ = 0;                       ///< m, from a triangle's centroid to its farthest corner, at most
+    std::unique_ptr<Analysis> analysis_;
+};
+
+/// A fragment's particles that have a face on its surface, pieces of one parent taken together.
+std::vector<rigid::SurfaceParticle> surface_pieces(const fragments::FragmentedBody& body, const fragments::Fragment& fragment,
+                                                   const std::vector<int>& at_surface, const std::function<double(int original)>& density);
+
+}  // namespace cleave::simulation

@@ -1,9 +1,11 @@
 #include "validation/study.hpp"
 
+#include "validation/studies/contact_cross.hpp"
 #include "validation/studies/contact_fields.hpp"
 #include "validation/studies/contact_hertz.hpp"
 #include "validation/studies/contact_indentation.hpp"
 #include "validation/studies/fem_indentation.hpp"
+#include "validation/studies/contact_thin_wall.hpp"
 #include "validation/studies/kernel_properties.hpp"
 
 namespace cleave::validation {
@@ -15,6 +17,8 @@ const std::vector<StudyInfo>& studies() {
         contact_hertz_study(),
         contact_fields_study(),
         contact_indentation_study(),
+        contact_cross_study(),
+        contact_thin_wall_study(),
     };
     return list;
 }

@@ -53,11 +53,11 @@ std::vector<ContactSurface> contact_surfaces(const std::vector<std::string>& nam
     return chosen;
 }
 
-std::vector<ContactSurface> read_surfaces(TableReader& study) {
+std::vector<ContactSurface> read_surfaces(TableReader& study, const std::string& key) {
     try {
-        return contact_surfaces(study.strings("surfaces"));
+        return contact_surfaces(study.strings(key));
     } catch (const std::invalid_argument& error) {
-        study.fail("surfaces", error.what());
+        study.fail(key, error.what());
     }
 }
 

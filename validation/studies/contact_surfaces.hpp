@@ -23,8 +23,8 @@ std::vector<ContactSurface> contact_surfaces();
 /// Those names out of contact_surfaces(), in the order given. Throws std::invalid_argument for an unknown one.
 std::vector<ContactSurface> contact_surfaces(const std::vector<std::string>& names);
 
-/// Reads the key `surfaces`, names of surfaces. Throws InputError.
-std::vector<ContactSurface> read_surfaces(TableReader& study);
+/// Reads a key with names of surfaces. Throws InputError.
+std::vector<ContactSurface> read_surfaces(TableReader& study, const std::string& key = "surfaces");
 
 /// One surface of every material: isotropic, (111) or normal.
 std::vector<ContactSurface> one_surface_of_each();

@@ -1,21 +1,16 @@
 #include "benchmarks/engine_bench.hpp"
 #include "benchmarks/rows.hpp"
+#include "benchmarks/scenarios.hpp"
 #include "benchmarks/timing.hpp"
 #include "solver/fragments/fragmented_body.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <stdexcept>
 
 namespace cleave::benchmarks {
 namespace {
-
-/// One scenario of the paper's Tables 1 and 2 (Intel Xeon W3530 of 2010), milliseconds.
-struct PaperRow {
-    double stress_analysis, subdivision, crack_generation;
-    double particles_before, particles_after;
-    double per_added() const { return subdivision / (particles_after - particles_before); }
-};
-constexpr PaperRow paper_pot{86, 2869, 1505, 6163, 15'717};
-constexpr PaperRow paper_pots{588, 12'923, 11'037, 80'119, 144'975};
 
 /// The times of one pass over the cracks of a scenario, seconds.
 struct StageTimes {
@@ -37,35 +32,42 @@ void break_body(fragments::FragmentedBody& body, const std::vector<subdivision::
     times.crack_generation.push_back(generation);
 }
 
-/// `count` equal bodies, each broken alike: what is measured is one, what is reported all.
-void scenario(benchmark::State& state, LazyCase& source, int count, const PaperRow& paper) {
-    const SubdivisionCase& body = source.get();
-    std::unique_ptr<fragments::FragmentedBody> broken;
-    const double setup = seconds_of([&] { broken = std::make_unique<fragments::FragmentedBody>(body.mesh); });
-    StageTimes times;
+/// The paper's three stages. Equal bodies: one is timed, all are reported.
+void scenario(benchmark::State& state, const Scenario& scenario) {
+    std::unique_ptr<ScenarioBody> body;
+    const double setup = seconds_of([&] { body = std::make_unique<ScenarioBody>(scenario); });
+    std::vector<double> analysis, subdivision, generation;
     for (auto _ : state) {
-        for (int pass = 0; pass <= passes_for(body.mesh); ++pass) {
-            broken->reset();
-            break_body(*broken, {body.cut}, times);
+        for (int pass = 0; pass <= 21; ++pass) {
+            const StageSeconds seconds = body->break_up();
+            if (pass == 0) continue;
+            analysis.push_back(seconds.stress_analysis);
+            subdivision.push_back(seconds.subdivision);
+            generation.push_back(seconds.crack_generation);
         }
-        state.SetIterationTime(count * median(times.subdivision));
+        state.SetIterationTime(scenario.bodies * median(subdivision));
     }
-    const subdivision::Counts& counts = broken->engine().counts();
-    const double added = 13 * counts.three_one + 19 * counts.two_two;
-    state.counters["particles_before"] = count * broken->originals();
-    state.counters["particles_after"] = count * (broken->originals() + added);
-    state.counters["uncut"] = count * counts.uncut;
-    state.counters["n31"] = count * counts.three_one;
-    state.counters["n22"] = count * counts.two_two;
-    state.counters["fragments"] = count * static_cast<double>(broken->current_fragments().size());
-    state.counters["milliseconds"] = 1e3 * count * median(times.subdivision);
-    state.counters["milliseconds_per_added"] = 1e3 * median(times.subdivision) / added;
-    state.counters["crack_generation_milliseconds"] = 1e3 * count * median(times.crack_generation);
-    state.counters["setup_milliseconds"] = 1e3 * count * setup;
+    const fragments::FragmentedBody& broken = body->fragments();
+    const subdivision::Counts& counts = broken.engine().counts();
+    const double added = 13 * counts.three_one + 19 * counts.two_two, bodies = scenario.bodies;
+    if (added == 0) throw std::logic_error("table2: the scenario's contacts made no crack");
+    const PaperRow& paper = scenario.paper;
+    state.counters["particles_before"] = bodies * broken.originals();
+    state.counters["particles_after"] = bodies * (broken.originals() + added);
+    state.counters["uncut"] = bodies * counts.uncut;
+    state.counters["n31"] = bodies * counts.three_one;
+    state.counters["n22"] = bodies * counts.two_two;
+    state.counters["work_cracks"] = bodies * body->cracks();
+    state.counters["fragments"] = bodies * static_cast<double>(broken.current_fragments().size());
+    state.counters["stress_analysis_milliseconds"] = 1e3 * bodies * median(analysis);
+    state.counters["milliseconds"] = 1e3 * bodies * median(subdivision);
+    state.counters["milliseconds_per_added"] = 1e3 * median(subdivision) / added;
+    state.counters["crack_generation_milliseconds"] = 1e3 * bodies * median(generation);
+    state.counters["setup_milliseconds"] = 1e3 * bodies * setup;
+    state.counters["paper_stress_analysis_milliseconds"] = paper.stress_analysis;
     state.counters["paper_milliseconds"] = paper.subdivision;
     state.counters["paper_milliseconds_per_added"] = paper.per_added();
     state.counters["paper_crack_generation_milliseconds"] = paper.crack_generation;
-    state.counters["paper_stress_analysis_milliseconds"] = paper.stress_analysis;
     state.counters["paper_particles_after"] = paper.particles_after;
 }
 
@@ -111,9 +113,9 @@ void complexity(benchmark::State& state, const std::vector<std::shared_ptr<LazyC
 }  // namespace
 
 void register_table2(Level level, Bodies& bodies) {
-    const auto pot = bodies.pot();
-    add_row("table2/pot", [pot](benchmark::State& state) { scenario(state, *pot, 1, paper_pot); });
-    add_row("table2/pots", [pot](benchmark::State& state) { scenario(state, *pot, 13, paper_pots); });
+    for (const auto& [name, one] : scenarios()) {
+        add_row("table2/" + name, [&one = one](benchmark::State& state) { scenario(state, one); });
+    }
     std::vector<std::shared_ptr<LazyCase>> cubes{bodies.cube(10), bodies.cube(15), bodies.cube(24)};
     if (level == Level::full) cubes.push_back(bodies.cube(54));
     add_row("table2/complexity", [cubes](benchmark::State& state) { complexity(state, cubes); });

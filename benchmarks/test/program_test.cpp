@@ -37,7 +37,7 @@ protected:
 
 TEST_F(Program, EveryBenchmarkRunsOnceAndCountsItsWork) {
     const std::filesystem::path file = folder_ / "bench.json";
-    const Outcome outcome = run("--level quick --benchmark_min_time=0 --out '" + file.string() + "'");
+    const Outcome outcome = run("--level quick --filter='-table2/(pet|tai_chi)/' --benchmark_min_time=0 --out '" + file.string() + "'");
     ASSERT_EQ(outcome.code, 0) << outcome.error;
     const nlohmann::json document = nlohmann::json::parse(read_file(file));
     std::set<std::string> names;
@@ -48,10 +48,11 @@ TEST_F(Program, EveryBenchmarkRunsOnceAndCountsItsWork) {
         EXPECT_EQ(row["particles_after"].get<double>(),
                   row["uncut"].get<double>() + 14 * row["n31"].get<double>() + 20 * row["n22"].get<double>());
         EXPECT_EQ(row["particles_before"].get<double>(), row["uncut"].get<double>() + row["n31"].get<double>() + row["n22"].get<double>());
+        EXPECT_GT(row["n31"].get<double>(), 0) << row["name"];
     }
     for (const std::string name : {"table2/pot", "subdivision/plain/pot", "subdivision/stores/pot", "subdivision/engine/cube_6k",
                                    "subdivision/disc/cube_83k", "subdivision/setup/pot", "subdivision/cold/pot",
-                                   "subdivision/two_threads/cube_83k", "table2/pots", "table2/complexity", "fragments/adaptive/cube_945k",
+                                   "subdivision/two_threads/cube_83k", "table2/pots", "table2/glass", "table2/complexity", "fragments/adaptive/cube_945k",
                                    "fragments/basic/cube_83k", "stress_analysis/isotropic", "stress_analysis/anisotropic"}) {
         const bool found = std::any_of(names.begin(), names.end(), [&](const std::string& full) { return full.starts_with(name); });
         EXPECT_TRUE(found) << name;
@@ -60,7 +61,7 @@ TEST_F(Program, EveryBenchmarkRunsOnceAndCountsItsWork) {
 
 TEST_F(Program, Table2StandsBesideThePapersNumbersAndNamesNoHost) {
     const std::filesystem::path file = folder_ / "bench.json";
-    ASSERT_EQ(run("--filter 'table2/pot$' --benchmark_min_time=0 --out '" + file.string() + "'").code, 0);
+    ASSERT_EQ(run("--filter table2/pot/ --benchmark_min_time=0 --out '" + file.string() + "'").code, 0);
     const nlohmann::json document = nlohmann::json::parse(read_file(file));
     const auto& context = document["context"];
     for (const char* key : {"cpu_model", "compiler", "threads", "build_type", "level"}) EXPECT_TRUE(context.contains(key)) << key;

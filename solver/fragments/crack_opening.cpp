@@ -22,6 +22,7 @@ int CrackOpening::side(int particle) const {
 
 /// The line between the centroids meets the plane at a + |d_a| / (|d_a| + |d_b|) (b - a).
 bool CrackOpening::meets_disc(int first, int second) const {
+    if (!breaks(first) || !breaks(second)) return false;
     if (std::isinf(crack_.disc.radius)) return true;
     const Vector3d a = body_.centroid(first), b = body_.centroid(second);
     const double da = std::abs(subdivision::plane_distance(crack_.disc.normal, crack_.disc.centre, a));
@@ -96,7 +97,7 @@ int CrackOpening::isolate_inside(LinkTable& links) const {
     if (!(crack_.inner_radius > 0)) return 0;
     std::vector<int> inside;
     for (const int particle : particles_) {
-        if ((body_.centroid(particle) - crack_.disc.centre).norm() < crack_.inner_radius) inside.push_back(particle);
+        if (breaks(particle) && (body_.centroid(particle) - crack_.disc.centre).norm() < crack_.inner_radius) inside.push_back(particle);
     }
     for (const int particle : inside) {
         for (int face = 0; face < 4; ++face) {

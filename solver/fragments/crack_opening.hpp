@@ -20,6 +20,7 @@ public:
 private:
     int side(int particle) const;
     bool intersects(int first, int second) const { return side(first) != side(second) && meets_disc(first, second); }
+    bool breaks(int particle) const { return !crack_.region || body_.region(particle) == *crack_.region; }
     bool meets_disc(int first, int second) const;
     int open_new_parents(LinkTable& links) const;
     int open_faces(LinkTable& links, const std::vector<int>& particles) const;

@@ -43,7 +43,7 @@ Crack FragmentedBody::valid(const Crack& crack, int fragment) const {
     if (!(crack.inner_radius >= 0) || !std::isfinite(crack.inner_radius)) {
         throw std::invalid_argument("FragmentedBody: the inner radius must be finite and not negative");
     }
-    return {.disc = subdivision::checked(crack.disc), .inner_radius = crack.inner_radius};
+    return {.disc = subdivision::checked(crack.disc), .inner_radius = crack.inner_radius, .region = crack.region};
 }
 
 CrackOutcome FragmentedBody::crack(const Crack& crack, int fragment) {
@@ -56,7 +56,9 @@ CrackOutcome FragmentedBody::crack(const Crack& crack, int fragment) {
 subdivision::Counts FragmentedBody::subdivide(const Crack& crack, int fragment) {
     const Crack unit = valid(crack, fragment);
     if (scheme_ == Scheme::basic) return {.uncut = originals()};
-    const subdivision::Counts counts = engine_.cut(unit.disc, {fragment_of_.data(), fragment});
+    subdivision::Among among{.labels = fragment_of_.data(), .label = fragment};
+    if (crack.region && !mesh_.regions.empty()) among.regions = mesh_.regions.data(), among.region = *crack.region;
+    const subdivision::Counts counts = engine_.cut(unit.disc, among);
     links_.take_over(engine_);
     for (const int parent : engine_.last_parents()) fragment_of_[parent] = -1;
     std::vector<int>& particles = fragments_[fragment].particles;

@@ -36,11 +36,13 @@ struct SubdivisionPlane {
 };
 
 
-/// The tets that a cut may subdivide: all, or those with one label (a fragment's).
+/// The tets that a cut may subdivide: all, or those with one label (a fragment's), or of these those of one region.
 struct Among {
     const int* labels = nullptr;  ///< per original tet; none: all tets
     int label = 0;
-    bool has(int tet) const { return labels == nullptr || labels[tet] == label; }
+    const int* regions = nullptr;  ///< per original tet; none: all regions
+    int region = 0;
+    bool has(int tet) const { return (labels == nullptr || labels[tet] == label) && (regions == nullptr || regions[tet] == region); }
 };
 
 /// The fast form of PlainSubdivision, equal to it to the bit. Original tets keep their numbers 0 .. n-1; children are numbered

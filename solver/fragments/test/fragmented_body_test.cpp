@@ -210,6 +210,22 @@ TEST(FragmentedBody, ChildrenInherit) {
     EXPECT_GT(children, 100u);
 }
 
+TEST(FragmentedBody, ACrackOfOneRegionStopsAtTheOther) {
+    mesh::TetMesh mesh = kuhn_cube(4, 0.1);
+    for (int tet = 0; tet < static_cast<int>(mesh.tets.size()); ++tet) mesh.regions[tet] = mesh::tet_centroid(mesh, tet)[0] < 0.5 ? 1 : 2;
+    FragmentedBody body(mesh);
+    const CrackOutcome outcome = body.crack({.disc = {.centre = {0.5, 0.5, 0.5}, .normal = {0.1, 0.1, 1}}, .region = 1}, 0);
+    EXPECT_GT(outcome.removed_links, 10);
+    EXPECT_TRUE(outcome.new_fragments.empty());  // region 2 holds the halves together
+    for (const int parent : body.engine().last_parents()) EXPECT_EQ(mesh.regions[parent], 1);
+    for (int particle = 0; particle < body.particle_numbers(); ++particle) {
+        for (int face = 0; face < 4 && body.is_particle(particle); ++face) {
+            EXPECT_TRUE(!body.links().is_removed(4 * particle + face) || body.region(particle) == 1);
+        }
+    }
+    expect_sound(body);
+}
+
 TEST(FragmentedBody, IsWholeAgainAfterReset) {
     const Crack first{.disc = {.centre = {0.5, 0.5, 0.5}, .normal = {1, 0.4, 0.3}}, .inner_radius = 0.1};
     FragmentedBody body(kuhn_cube(4, 0.1));

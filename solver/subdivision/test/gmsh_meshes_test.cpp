@@ -1,5 +1,7 @@
+#include "solver/mesh/mesher.hpp"
 #include "solver/mesh/msh_file.hpp"
 #include "solver/mesh/recipes/pot.hpp"
+#include "solver/mesh/test/test_meshes.hpp"
 #include "solver/subdivision/plain_subdivision.hpp"
 #include "solver/subdivision/subdivision_engine.hpp"
 #include "solver/subdivision/test/engine_equals.hpp"
@@ -31,6 +33,27 @@ TEST(GmshMeshes, ThePotCutBySeveralPlanes) {
     expect_sound(mesh, subdivide(mesh, {{.centre = {0, 0, 0.1}, .normal = {1, 0.2, 0.1}}}));
     for (const int count : {1, 5, 50}) {
         const std::vector<Cut> cuts = cuts_of_pot(count, static_cast<std::uint64_t>(count));
+        const Subdivided plain = subdivide(mesh, cuts);
+        expect_sound(mesh, plain);
+        SubdivisionEngine engine(mesh);
+        for (const Cut& cut : cuts) engine.cut(cut);
+        EXPECT_EQ(test::first_difference(engine.result(), plain), "") << count << " cuts";
+    }
+}
+
+TEST(NetgenMeshes, ACubeCutByRandomPlanesAndDiscs) {
+    const TetMesh cube = mesh::test::kuhn_cube(2);
+    const mesh::HalfFaceLinks links = mesh::link_half_faces(cube);
+    mesh::SurfaceMesh surface{.vertices = cube.vertices, .triangles = {}, .names = {}};
+    for (int h = 0; h < static_cast<int>(links.opposite.size()); ++h) {
+        if (links.opposite[h] < 0) surface.triangles.push_back({mesh::face_of(cube.tets[h / 4], h % 4), 1});
+    }
+    const TetMesh mesh = mesh::mesh_surface(surface, 0.2, mesh::Mesher::netgen);
+    ASSERT_GT(mesh.tets.size(), 200u);
+    for (const int count : {1, 50}) {
+        test::Random random(static_cast<std::uint64_t>(count));
+        std::vector<Cut> cuts;
+        for (int i = 0; i < count; ++i) cuts.push_back(i % 2 == 0 ? random.plane(0, 1) : random.disc(0, 1));
         const Subdivided plain = subdivide(mesh, cuts);
         expect_sound(mesh, plain);
         SubdivisionEngine engine(mesh);

@@ -1,5 +1,6 @@
 #include "solver/particles/neighbours.hpp"
 
+#include "solver/particles/neighbour_search.hpp"
 #include "solver/particles/smoothing_tensor.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@ namespace {
 
 /// More cells than this per point cost memory and gain nothing.
 constexpr double cells_per_point = 4;
-
-bool inside(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& r) { return (tensor * r).squaredNorm() < 1; }
 
 void append_list(NeighbourLists& lists, const std::vector<int>& ids, int self) {
     for (const int j : ids)
@@ -82,17 +81,21 @@ std::vector<int> neighbours_of_point(const Particles& particles, const CellGrid&
     const Eigen::Vector3d box = support_box(tensor);
     std::vector<int> ids;
     grid.collect(point - box, point + box, ids);
-    std::erase_if(ids, [&](int j) { return !inside(tensor, particles.position[j] - point); });
+    std::erase_if(ids, [&](int j) { return !is_inside(tensor, particles.position[j] - point); });
     std::sort(ids.begin(), ids.end());
     return ids;
 }
 
 NeighbourLists find_neighbours(const Particles& particles) {
-    const CellGrid grid(particles.position, suitable_cell(particles));
+    NeighbourSearch search(particles.position, 2 * suitable_cell(particles));
     NeighbourLists lists;
+    lists.offset.reserve(particles.position.size() + 1);
+    lists.index.reserve(64 * particles.position.size());
     lists.offset.push_back(0);
-    for (int i = 0; i < particles.size(); ++i)
-        append_list(lists, neighbours_of_point(particles, grid, particles.position[i], particles.tensor[i]), i);
+    for (int i = 0; i < particles.size(); ++i) {
+        search.append(particles.position[i], particles.tensor[i], i, lists.index);
+        lists.offset.push_back(lists.index.size());
+    }
     return lists;
 }
 
@@ -102,7 +105,7 @@ NeighbourLists find_neighbours_brute_force(const Particles& particles) {
     for (int i = 0; i < particles.size(); ++i) {
         std::vector<int> ids;
         for (int j = 0; j < particles.size(); ++j)
-            if (inside(particles.tensor[i], particles.position[j] - particles.position[i])) ids.push_back(j);
+            if (is_inside(particles.tensor[i], particles.position[j] - particles.position[i])) ids.push_back(j);
         append_list(lists, ids, i);
     }
     return lists;

@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <random>
 
 namespace cleave::validation {
@@ -156,11 +157,13 @@ private:
         return *growth;
     }
 
-    elasticity::EnergyRelease energy_release() const {
+    const elasticity::EnergyRelease& energy_release() const {
+        if (release_) return *release_;
         const geometry::CrackGrowth growth = crack();
         const elasticity::CrackExtension extension{body_.surfaces.at(growth.surface),
                                                    [growth](const Eigen::Vector3d& x) { return eigen(growth.growth(plain(x))); }};
-        return elasticity::energy_release(make_problem(of_, body_, mesh_), options_, solution_, {extension}, growth.step).front();
+        release_ = elasticity::energy_release(make_problem(of_, body_, mesh_), options_, solution_, {extension}, growth.step).front();
+        return *release_;
     }
 
     /// Mean over the lips within 0.3 radii of the centre, each face scaled by the ellipse sqrt(1 - r^2/a^2) it should lie on.
@@ -184,6 +187,7 @@ private:
     mesh::TetMesh mesh_;
     elasticity::EquilibriumOptions options_;
     elasticity::EquilibriumSolution solution_;
+    mutable std::optional<elasticity::EnergyRelease> release_;  // asked for twice, evaluated once
     Samples samples_;
 };
 

@@ -76,7 +76,8 @@ analytic::Field build_uniform_stress(const SolutionCall& call, const analytic::S
 
 analytic::Field build(const SolutionCall& call, const Case& of, const analytic::Stiffness& stiffness) {
     if (call.name == "linear_displacement") return analytic::linear_displacement(stiffness, analytic::generic_gradient());
-    if (call.name == "manufactured_trigonometric") return analytic::manufactured_trigonometric(stiffness, body_length(of), number(call, "scale", 1));
+    if (call.name == "manufactured_trigonometric")
+        return analytic::manufactured_trigonometric(stiffness, number(call, "wavelength", 1) * body_length(of), number(call, "scale", 1));
     if (call.name == "uniform_stress") return build_uniform_stress(call, stiffness);
     if (call.name == "sneddon_penny")
         return analytic::sneddon_penny(stiffness, of.shape->length("crack_radius"), quantity(call, "pressure"), number(call, "box_factor", 1));
@@ -93,7 +94,8 @@ const std::vector<SolutionInfo>& solutions() {
     using Kind = SolutionInfo::Key::Kind;
     static const std::vector<SolutionInfo> list{
         {"linear_displacement", "u = A x with a generic A: the patch test, any material and shape", {}},
-        {"manufactured_trigonometric", "plane waves with the body force that balances them, any material; scale multiplies the amplitude 1e-3 L", {{"scale", Kind::number, {}, {}}}},
+        {"manufactured_trigonometric", "plane waves with the body force that balances them, any material; scale multiplies the strain, wavelength the waves' length",
+         {{"scale", Kind::number, {}, {}}, {"wavelength", Kind::number, {}, {}}}},
         {"lekhnitskii_hole",
          "circular hole in an infinite plate, z = 0 a plane of elastic symmetry (Lekhnitskii 1968)",
          {{"plane", Kind::word, {"strain", "stress"}, {}}, {"remote", Kind::vector, {}, dimension::pressure}}},

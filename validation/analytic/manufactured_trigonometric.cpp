@@ -8,7 +8,7 @@ namespace {
 
 struct Waves {
     double length;
-    // Wave numbers of 3 to 5 over the body: between half a wave and a whole one, smooth enough for coarse meshes.
+    // |q| of 3.8 to 4.1: about two thirds of a wave over the length, smooth enough for coarse meshes.
     std::array<Point, 3> vector{{{3.1, 1.7, -1.3}, {-1.1, 2.9, 2.1}, {1.9, -1.5, 3.3}}};
     Point phase{0.3, 1.1, -0.7};
     Point amplitude{1.0e-3, 0.8e-3, 1.2e-3};

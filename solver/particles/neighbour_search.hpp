@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace cleave::particles {
@@ -27,16 +29,22 @@ private:
     int cell_of(double coordinate, int axis) const;
     std::size_t cell_index(int x, int y, int z) const;
     double gap(double coordinate, int cell, int axis) const;
-    int* collect(const Query& query, std::size_t first, std::size_t last, int* end) const;
+    void find_rows(const Query& query);
+    template <bool round>
+    std::size_t collect(const Query& query);
     unsigned settle(const Query& query, std::size_t n, unsigned in, unsigned maybe) const;
+    void append_sorted(std::size_t count, int self, std::vector<int>& ids);
 
     const std::vector<Eigen::Vector3d>& points_;
-    Eigen::Vector3d origin_, edge_;
+    Eigen::Vector3d origin_, edge_, per_edge_;
     std::array<int, 3> count_{};
     std::vector<std::size_t> first_;       // of each cell in the arrays below, one more at the end
     std::vector<int> ids_;                 // by cell, x fastest, ascending within one; padded to whole vectors
     std::array<std::vector<float>, 3> x_;  // likewise, from the origin
-    std::vector<int> found_, rank_;        // of one query
+    // Of one query: what it reads, what it finds, and the order of that.
+    std::vector<std::pair<std::size_t, std::size_t>> ranges_;
+    std::vector<int> found_, rank_;
+    std::vector<std::int16_t> short_keys_, short_rank_;
 };
 
 /// |G r| < 1: the definition of a support.

@@ -1,12 +1,15 @@
 #include "validation/study.hpp"
 
+#include "validation/studies/algorithm_1.hpp"
 #include "validation/studies/contact_cross.hpp"
 #include "validation/studies/contact_fields.hpp"
 #include "validation/studies/contact_hertz.hpp"
 #include "validation/studies/contact_indentation.hpp"
-#include "validation/studies/fem_indentation.hpp"
 #include "validation/studies/contact_thin_wall.hpp"
+#include "validation/studies/fem_indentation.hpp"
+#include "validation/studies/griffith.hpp"
 #include "validation/studies/kernel_properties.hpp"
+#include "validation/studies/principal_directions.hpp"
 
 namespace cleave::validation {
 
@@ -19,6 +22,9 @@ const std::vector<StudyInfo>& studies() {
         contact_indentation_study(),
         contact_cross_study(),
         contact_thin_wall_study(),
+        principal_directions_study(),
+        algorithm_1_study(),
+        griffith_study(),
     };
     return list;
 }

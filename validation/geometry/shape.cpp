@@ -6,6 +6,7 @@
 #include "validation/geometry/laminate_block.hpp"
 #include "validation/geometry/layered_strip.hpp"
 #include "validation/geometry/penny_crack_block.hpp"
+#include "validation/geometry/penny_octant.hpp"
 #include "validation/geometry/plate_with_hole.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +27,8 @@ const std::vector<Entry>& entries() {
                                          {plate_with_hole_info(), read_plate_with_hole},
                                          {penny_crack_block_info(), read_penny_crack_block},
                                          {elliptic_plate_info(), read_elliptic_plate},
-                                         {layered_strip_info(), read_layered_strip}};
+                                         {layered_strip_info(), read_layered_strip},
+                                         {penny_octant_info(), read_penny_octant}};
     return list;
 }
 

@@ -25,7 +25,8 @@ std::string version_of(Mesher mesher);
 /// The same input gives the same bits. Each tet has a positive volume (checked). Throws MeshingError with the mesher's own words.
 TetMesh mesh_surface(const SurfaceMesh& surface, double size, Mesher mesher);
 
-/// mesh_surface at the size whose count comes closest to `target` (tune_count).
+/// mesh_surface at the size whose count comes closest to `target` (tune_count); NETGEN's tets may become smaller inside than at the surface, where
+/// no one size meets the target.
 TunedMesh mesh_surface_to_count(const SurfaceMesh& surface, int target, Mesher mesher);
 
 }  // namespace cleave::mesh

@@ -92,11 +92,12 @@ std::string reason(int status) {
 
 }  // namespace
 
-TetMesh mesh_by_netgen(const SurfaceMesh& surface, double size) {
+TetMesh mesh_by_netgen(const SurfaceMesh& surface, double size, double inner_size) {
     const TemporaryFolder folder;
     const fs::path input = folder.path() / "surface.obj", output = folder.path() / "tets.msh";
     write_file_atomic(input, format_obj(surface));
-    const int status = run_silently({helper().string(), input.string(), fmt::format("{:.17g}", size), output.string()});
+    const int status = run_silently({helper().string(), input.string(), fmt::format("{:.17g}", size), fmt::format("{:.17g}", inner_size),
+                                   output.string()});
     if (status != 0) throw MeshingError(fmt::format("netgen {} at size {:.4g} m", reason(status), size));
     return read_msh(output);
 }

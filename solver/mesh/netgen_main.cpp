@@ -1,4 +1,4 @@
-/// cleave-netgen SURFACE.obj SIZE OUT.msh: meshes the inside of a surface by NETGEN. A program of its own, because NETGEN aborts on
+/// cleave-netgen SURFACE.obj SIZE INNER_SIZE OUT.msh: meshes the inside of a surface by NETGEN. A program of its own, because NETGEN aborts on
 /// input it dislikes, never returns on some, and writes to stdout. mesh_by_netgen() calls it. Exit codes: netgen_protocol.hpp.
 
 #include "solver/input/file_io.hpp"
@@ -59,7 +59,7 @@ TetMesh taken(Ng_Mesh* from) {
 
 using netgen::Stage;
 
-Stage run(const SurfaceMesh& surface, double size, TetMesh& result) {
+Stage run(const SurfaceMesh& surface, double size, double inner_size, TetMesh& result) {
     nglib::Ng_Init();
     nglib::Ng_STL_Geometry* geometry = nglib::Ng_STL_NewGeometry();
     give_triangles(geometry, surface);
@@ -68,7 +68,8 @@ Stage run(const SurfaceMesh& surface, double size, TetMesh& result) {
     nglib::Ng_Meshing_Parameters wanted = parameters(size);
     if (nglib::Ng_STL_MakeEdges(geometry, mesh, &wanted) != nglib::NG_OK) return Stage::edges;
     if (nglib::Ng_STL_GenerateSurfaceMesh(geometry, mesh, &wanted) != nglib::NG_OK) return Stage::surface;
-    if (nglib::Ng_GenerateVolumeMesh(mesh, &wanted) != nglib::NG_OK) return Stage::volume;
+    nglib::Ng_Meshing_Parameters inside = parameters(inner_size);
+    if (nglib::Ng_GenerateVolumeMesh(mesh, &inside) != nglib::NG_OK) return Stage::volume;
     result = taken(mesh);
     return result.tets.empty() ? Stage::volume : Stage::done;
 }
@@ -81,11 +82,11 @@ void limit_time() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) return static_cast<int>(Stage::usage);
+    if (argc != 5) return static_cast<int>(Stage::usage);
     limit_time();
     TetMesh mesh;
-    const Stage stage = run(parse_obj(cleave::read_file(argv[1]), argv[1]), std::strtod(argv[2], nullptr), mesh);
-    if (stage == Stage::done) write_msh(mesh, argv[3]);
+    const Stage stage = run(parse_obj(cleave::read_file(argv[1]), argv[1]), std::strtod(argv[2], nullptr), std::strtod(argv[3], nullptr), mesh);
+    if (stage == Stage::done) write_msh(mesh, argv[4]);
     std::fflush(nullptr);
     std::_Exit(static_cast<int>(stage));  // without NETGEN's own destructors at exit, which have been seen to crash
 }

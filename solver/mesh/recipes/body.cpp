@@ -5,6 +5,7 @@
 #include "solver/mesh/check.hpp"
 #include "solver/mesh/gmsh_session.hpp"
 #include "solver/mesh/msh_file.hpp"
+#include "solver/mesh/size_tuning.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,6 @@
 namespace cleave::mesh {
 namespace {
 
-constexpr double count_tolerance = 0.02;
 constexpr double sliver_angle = 5 * std::numbers::pi / 180;
 
 std::optional<TetMesh> stored(const std::filesystem::path& file) {
@@ -54,7 +54,7 @@ Body cached_body(const std::string& name, const std::string& recipe, int target,
     }
     Body body{std::move(*mesh), {}};
     body.record = record_of(body.mesh, recipe, target);
-    if (std::abs(body.record.count - target) > count_tolerance * target) {
+    if (misses(body.mesh, target)) {
         throw MeshingError(fmt::format("{}: {} tets, more than 2 % off the {} asked for", name, body.record.count, target));
     }
     return body;

@@ -56,7 +56,10 @@ struct HitBody {
 /// A displacement source over a half-space field made for this contact.
 fracture::Displacement displacement(const HitBody& body, const std::shared_ptr<const contact::HalfSpace>& half_space) {
     return [&body, field = contact::HalfSpaceField(half_space, body.load)](std::span<const int> ids, std::span<Eigen::Vector3d> values) {
-        for (std::size_t k = 0; k < ids.size(); ++k) values[k] = field.displacement(body.particles.position[ids[k]]);
+        std::vector<Eigen::Vector3d> positions;
+        positions.reserve(ids.size());
+        for (const int i : ids) positions.push_back(body.particles.position[i]);
+        field.displacements(positions, values);
     };
 }
 

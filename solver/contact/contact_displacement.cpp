@@ -84,7 +84,10 @@ ParticleDisplacement half_space_displacement(const ContactBody& body, const Cont
     if (stiffness == body.stiffness.end()) throw std::invalid_argument("a stiffness for region " + std::to_string(region));
     return [field = half_space_field(stiffness->second, load, options), &particles = body.particles](std::span<const int> ids,
                                                                                                      std::span<Eigen::Vector3d> values) {
-        for (std::size_t k = 0; k < ids.size(); ++k) values[k] = field.displacement(particles.position[ids[k]]);
+        std::vector<Eigen::Vector3d> positions;
+        positions.reserve(ids.size());
+        for (const int i : ids) positions.push_back(particles.position[i]);
+        field.displacements(positions, values);
     };
 }
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace cleave::contact {
 
@@ -63,17 +64,19 @@ HalfSpaceField::HalfSpaceField(std::shared_ptr<const HalfSpace> half_space, cons
 
 Eigen::Vector3d HalfSpaceField::to_local(const Eigen::Vector3d& position) const { return axes_.transpose() * (position - load_.point); }
 
+IsotropicContact HalfSpaceField::isotropic_contact() const {
+    return {half_space_->shear_modulus(), half_space_->poisson_ratio(), load_.radius, local_force_};
+}
+
 Eigen::Vector3d HalfSpaceField::displacement(const Eigen::Vector3d& position) const {
     const Eigen::Vector3d local = to_local(position);
-    if (!closed_) return axes_ * stroh_->displacement(local);
-    return axes_ * isotropic_displacement({half_space_->shear_modulus(), half_space_->poisson_ratio(), load_.radius, local_force_}, local);
+    return axes_ * (closed_ ? isotropic_displacement(isotropic_contact(), local) : stroh_->displacement(local));
 }
 
 Eigen::Matrix3d HalfSpaceField::gradient(const Eigen::Vector3d& position) const {
     const Eigen::Vector3d local = to_local(position);
     if (!closed_) return axes_ * stroh_->gradient(local) * axes_.transpose();
-    return axes_ * isotropic_gradient({half_space_->shear_modulus(), half_space_->poisson_ratio(), load_.radius, local_force_}, local) *
-           axes_.transpose();
+    return axes_ * isotropic_gradient(isotropic_contact(), local) * axes_.transpose();
 }
 
 material::Voigt HalfSpaceField::stress(const Eigen::Vector3d& position) const {
@@ -82,7 +85,15 @@ material::Voigt HalfSpaceField::stress(const Eigen::Vector3d& position) const {
 }
 
 void HalfSpaceField::displacements(std::span<const Eigen::Vector3d> positions, std::span<Eigen::Vector3d> values) const {
-    for (std::size_t i = 0; i < positions.size(); ++i) values[i] = displacement(positions[i]);
+    if (!closed_) {
+        for (std::size_t i = 0; i < positions.size(); ++i) values[i] = displacement(positions[i]);
+        return;
+    }
+    std::vector<Eigen::Vector3d> local;
+    local.reserve(positions.size());
+    for (const Eigen::Vector3d& x : positions) local.push_back(to_local(x));
+    isotropic_displacements(isotropic_contact(), local, values);
+    for (Eigen::Vector3d& u : values.first(positions.size())) u = axes_ * u;
 }
 
 HalfSpaceField half_space_field(const material::Stiffness& stiffness, const ContactLoad& load, const HalfSpaceOptions& options) {

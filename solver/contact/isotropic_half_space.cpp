@@ -1,5 +1,8 @@
 #include "solver/contact/isotropic_half_space.hpp"
 
+#include "solver/contact/isotropic_far_field.hpp"
+
+#include <array>
 #include <cmath>
 #include <complex>
 
@@ -114,13 +117,7 @@ Derivatives of_unit_circle(double rho, double z, bool gradient) {
     return d;
 }
 
-// Farther off, Hertz's pressure on the unit circle is a few sources at imaginary depths by Gauss's rule of the weight 1 - s^2, where the
-// closed form costs more and loses (R/a)^3 of its digits: two at +- i/sqrt(5) leave 0.05 (a/R)^4, one more 0.01 (a/R)^6.
-
-constexpr double far = 26, middle = 8;  ///< distances in radii from which on two, three sources do: 1e-7
-
-Derivatives of_two_sources(double rho, double z, bool gradient) { return of_source(rho, Complex(z, 1 / std::sqrt(5.0)), gradient); }
-
+/// Far off: isotropic_far_field.hpp says which sources.
 Derivatives of_three_sources(double rho, double z, bool gradient) {
     const Derivatives pair = of_source(rho, Complex(z, std::sqrt(3.0 / 7)), gradient), one = of_source(rho, z, gradient);
     const auto mean = [](double of_pair, double of_one) { return (7 * of_pair + 8 * of_one) / 15; };
@@ -139,17 +136,14 @@ Place place(const IsotropicContact& contact, const Eigen::Vector3d& position, bo
     const double a = contact.radius > 0 ? contact.radius : position.norm();
     const double x = position[0] / a, y = position[1] / a, z = std::max(position[2] / a, 0.0), rho = x * x + y * y;
     if (contact.radius <= 0) return {a, x, y, z, of_source(rho, z, gradient)};
-    const double distance = rho + z * z;
-    if (distance > far * far) return {a, x, y, z, of_two_sources(rho, z, gradient)};
-    if (distance > middle * middle) return {a, x, y, z, of_three_sources(rho, z, gradient)};
+    if (is_far(contact, position)) return {a, x, y, z, of_three_sources(rho, z, gradient)};
     // On the circle itself 1/R is singular, and multiplied by z = 0: step inside.
     const double least = 1e-12;
     return {a, x, y, z, of_unit_circle(rho, std::max(z, std::abs(rho - 1) < least ? least : 0.0), gradient)};
 }
 
-}  // namespace
-
-Eigen::Vector3d isotropic_displacement(const IsotropicContact& contact, const Eigen::Vector3d& position) {
+/// u at a near place, in closed form.
+Eigen::Vector3d near_displacement(const IsotropicContact& contact, const Eigen::Vector3d& position) {
     const auto [length, x, y, z, n] = place(contact, position, false);
     const double nu = contact.poisson_ratio, fz = contact.force[2];
     const Eigen::Vector2d t(x, y), f = contact.force.head<2>();
@@ -161,6 +155,37 @@ Eigen::Vector3d isotropic_displacement(const IsotropicContact& contact, const Ei
     u.head<2>() = 2 * n.n0 * f - 2 * fz * n.n1p * t + 2 * nu * grad_q2 - z * grad_q1;
     u[2] = fz * n.n0 + (1 - 2 * nu) * q1 - z * q0;
     return u / (4 * M_PI * contact.shear_modulus * length);
+}
+
+}  // namespace
+
+void isotropic_displacements(const IsotropicContact& contact, std::span<const Eigen::Vector3d> positions, std::span<Eigen::Vector3d> displacement) {
+    constexpr int lanes = 4;
+    Eigen::Matrix<double, 3, lanes> x;
+    std::array<std::size_t, lanes> at;
+    int filled = 0;
+    const auto flush = [&] {
+        for (int k = filled; k < lanes; ++k) x.col(k) = x.col(0);
+        const Eigen::Matrix<double, 3, lanes> u = far_displacements(contact, x);
+        for (int k = 0; k < filled; ++k) displacement[at[k]] = u.col(k);
+        filled = 0;
+    };
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (!is_far(contact, positions[i])) {
+            displacement[i] = near_displacement(contact, positions[i]);
+            continue;
+        }
+        x.col(filled) = positions[i];
+        at[filled++] = i;
+        if (filled == lanes) flush();
+    }
+    if (filled > 0) flush();
+}
+
+Eigen::Vector3d isotropic_displacement(const IsotropicContact& contact, const Eigen::Vector3d& position) {
+    Eigen::Vector3d u;
+    isotropic_displacements(contact, {&position, 1}, {&u, 1});
+    return u;
 }
 
 Eigen::Matrix3d isotropic_gradient(const IsotropicContact& contact, const Eigen::Vector3d& position) {

@@ -128,6 +128,7 @@ private:
     std::vector<Group> divide_members(const std::vector<int>& members, const AnalysedPoint& point, const Options& options) const;
     void gather_displacements(const std::vector<int>& members, const Displacement& displacement, GroupGradient rule);
     void strain_group(Group& group, GroupGradient rule) const;
+    Eigen::Matrix3d whole_gradient(int particle) const;
     Eigen::Matrix3d member_gradient(int particle, const std::vector<int>& group, GroupGradient rule) const;
     void judge(Group& group, const Brittleness& brittleness, const Options& options) const;
     int analyse_into(CrackAnalysis& result, const AnalysedPoint& point, int material, int parent, const Displacement& displacement,
@@ -139,9 +140,11 @@ private:
     Body body_;
     particles::CellGrid grid_;
     double reference_area_ = 0;
+    double extent_ = 0;                          // m, the body's diameter
     std::vector<int> gathered_;                  // particles whose displacement has been asked for
     std::vector<int> place_;                     // of each particle in gathered_, -1 where it is not
     std::vector<Eigen::Vector3d> displacement_;  // of the gathered
+    std::vector<Eigen::Vector4d> padded_;        // the same with a zero
 };
 
 }  // namespace cleave::fracture

@@ -94,7 +94,7 @@ struct Problem {
 };
 
 enum class Solver {
-    automatic,  ///< direct up to Options::direct_limit unknowns, iterative above
+    automatic,  ///< direct up to Options::direct_limit unknowns, iterative above; direct as well where that takes more than 150 steps
     direct,     ///< sparse Cholesky (CHOLMOD, METIS ordering)
     iterative   ///< conjugate gradients, preconditioned by Gauss-Seidel on the nodes and a Cholesky solve on the vertices
 };

@@ -10,11 +10,11 @@ namespace cleave::fem {
 struct SolveRecord {
     long cells = 0;
     long dofs = 0;                 ///< nodal components, prescribed ones included
-    std::string solver;            ///< "cholmod" or "cg+two_level"
+    std::string solver;            ///< "cholmod", "cg+two_level" or "cg+ml"
     int iterations = 0;            ///< 0 for the direct solver
     double relative_residual = 0;  ///< |A x - b| / |b| over the free components, after the solve
     double seconds = 0;            ///< reading, assembly and solve; a timing, hence not reproducible
-    double matrix_bytes = 0;       ///< matrix and factor
+    double matrix_bytes = 0;       ///< matrix and factor or preconditioner
 };
 
 /// The fields at one place.
@@ -56,11 +56,19 @@ public:
     std::vector<Point> vertices() const;              ///< m; vertices of tets, in the order of the file
     std::vector<Point> vertex_displacements() const;  ///< m; one per vertex
 
+    /// Estimated error of each cell in the energy norm, sqrt(J): the square root of int (e* - e) : C : (e* - e) dV, with e* the recovered strain
+    /// of `recovered_at` (Zienkiewicz and Zhu 1987, Int. J. Numer. Meth. Eng. 24, 337).
+    std::vector<double> cell_errors() const;
+    /// The estimate of the whole body over the norm of the solution: sqrt(sum of squares / (2 energy)).
+    double estimated_error() const;
+
     /// Strain energy, J: integral of stress : strain / 2.
     double energy() const;
     /// Work, J, of tractions, pressures and body force and of the reactions at prescribed displacements, taken at the final load:
     /// twice the energy for a solution in balance.
     double external_work() const;
+
+    const Data& data() const { return *data_; }  ///< for this folder's own use
 
 private:
     std::shared_ptr<const Data> data_;

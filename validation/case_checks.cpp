@@ -170,6 +170,7 @@ const std::vector<QuantityInfo>& quantities() {
         {"external_work", dimension::energy},          // of the loads
         {"residual", dimension::none},                 // |f - K u| / |f| of an equilibrium solve
         {"patch_residual", dimension::none},           // the same for the exact field of [particles] solution, not solved for
+        {"estimated_error", dimension::none},          // of finite elements in the energy norm (Zienkiewicz and Zhu), relative
         {"vertex_sensitivity", dimension::none},       // relative change of the energy when every vertex moves by 1e-9 of the size
         {"net_force", dimension::none},                // |sum F| / sum |F|
         {"net_torque", dimension::none},               // |sum x cross F| / sum |x| |F|

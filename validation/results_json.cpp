@@ -106,12 +106,12 @@ CaseResult case_of(const Json& json) {
 
 Json note_json(const SolveNote& note) {
     return {{"solver", note.solver}, {"method", note.method}, {"cells", note.cells}, {"dofs", note.dofs}, {"iterations", note.iterations},
-            {"relative_residual", number(note.residual)}, {"seconds", number(note.seconds)}};
+            {"relative_residual", number(note.residual)}, {"seconds", number(note.seconds)}, {"bytes", number(note.bytes)}};
 }
 
 SolveNote note_of(const Json& json) {
     return {json.at("solver"), json.at("method"), json.at("cells"), json.at("dofs"), json.at("iterations"), number_of(json.at("relative_residual")),
-            number_of(json.at("seconds"))};
+            number_of(json.at("seconds")), number_of(json.at("bytes"))};
 }
 
 }  // namespace cleave::validation

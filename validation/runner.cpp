@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace cleave::validation {
@@ -183,6 +184,23 @@ void attach(std::vector<Row>& rows, const Profile& profile, const Artifact& arti
     if (!rows.empty()) rows.front().artifacts.push_back(artifact);
 }
 
+/// The fields of the best finite elements that the case used, for ParaView.
+std::optional<Artifact> write_fields(const Case& of, const LevelSources& sources, const std::filesystem::path& out) {
+    for (const char* solver : {"fem.p2", "fem.p1"})
+        if (const FieldSource* source = sources.find(solver)) {
+            const std::string file = fmt::format("{}/{}.vtu", artifact_folder(of.name), solver);
+            write_file_atomic(out / file, source->vtu());
+            return Artifact{file, fmt::format("Displacement, stress, strain and estimated error, {}", solver), "", ""};
+        }
+    return std::nullopt;
+}
+
+void attach(std::vector<Row>& rows, const Artifact& fields) {
+    for (Row& row : rows)
+        if (row.solver.starts_with("fem.") && !row.must_fail) return row.artifacts.push_back(fields);
+    if (!rows.empty()) rows.front().artifacts.push_back(fields);
+}
+
 }  // namespace
 
 Verdict overall(const std::vector<Row>& rows) {
@@ -208,6 +226,7 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
     for (const Check& check : of.checks) rows.push_back(empty_rows(check, of));
     const std::vector<double>& sizes = of.sizes(options.level);
     std::vector<std::pair<const Profile*, Artifact>> drawn;
+    std::optional<Artifact> fields;
     for (const double size : sizes) {
         LevelSources sources(of, size, options.out / "meshes");
         for (std::size_t c = 0; c < of.checks.size(); ++c)
@@ -215,6 +234,7 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
         if (size == sizes.back())
             for (std::size_t p = 0; p < of.profiles.size(); ++p)
                 drawn.emplace_back(&of.profiles[p], write_profile(of.profiles[p], fmt::format("{}/profile_{}.csv", artifact_folder(of.name), p + 1), options.out, sources));
+        if (size == sizes.back()) fields = write_fields(of, sources, options.out);
         run.solves.insert(run.solves.end(), sources.notes().begin(), sources.notes().end());
         if (options.progress) options.progress(fmt::format("{} size {:.4g} m", of.name, size));
     }
@@ -225,6 +245,7 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
             run.result.rows.push_back(std::move(row));
         }
     for (const auto& [profile, artifact] : drawn) attach(run.result.rows, *profile, artifact);
+    if (fields) attach(run.result.rows, *fields);
     run.result.verdict = overall(run.result.rows);
     return run;
 }

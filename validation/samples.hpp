@@ -40,6 +40,8 @@ public:
     /// A quantity of the whole body (see scalar_quantities()), SI. Throws InputError where the method does not have it.
     virtual double scalar(const std::string& quantity) const = 0;
     virtual Resolution resolution() const = 0;
+    /// The fields as a VTU file's text; empty where the method writes none.
+    virtual std::string vtu() const { return {}; }
 };
 
 }  // namespace cleave::validation

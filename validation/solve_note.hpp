@@ -10,6 +10,7 @@ struct SolveNote {
     long cells = 0, dofs = 0;
     int iterations = 0;
     double residual = 0, seconds = 0;
+    double bytes = 0;  ///< matrix and factor or preconditioner; 0 where not counted
 };
 
 }  // namespace cleave::validation

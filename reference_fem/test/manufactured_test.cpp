@@ -117,6 +117,42 @@ TEST(Manufactured, QuadraticTetsHaveOrders3And2) {
     EXPECT_GT(found.recovered_stress, 2.5);
 }
 
+/// The estimate of the error in the energy norm against the error itself.
+double effectivity(int degree, int bricks) {
+    const Stiffness stiffness = triclinic();
+    Problem problem;
+    problem.mesh_file = write_box("effectivity.msh", {.counts = {bricks, bricks, bricks}, .distortion = 0.1});
+    problem.regions = {{1, stiffness}};
+    problem.body_force = [&](const Point& x) { return body_force(stiffness, x); };
+    for (int side = 1; side <= 6; ++side) problem.displacements.push_back({side, {true, true, true}, field});
+    const Solution solution = solve(problem, {.degree = degree});
+    double error = 0;
+    for (const FieldSample& sample : solution.quadrature_samples(4)) {
+        const Tensor2 exact = field_gradient(sample.position), exact_stress = hooke(exact);
+        for (int p = 0; p < 6; ++p) {
+            const auto [i, j] = voigt_pairs[p];
+            const double strain = i == j ? exact[i][i] : exact[i][j] + exact[j][i];
+            error += sample.weight * (sample.strain[p] - strain) * (sample.stress[p] - exact_stress[i][j]);
+        }
+    }
+    return solution.estimated_error() / std::sqrt(error / (2 * solution.energy()));
+}
+
+/// 1 in the limit of a superconvergent recovery; a fifth is allowed on these few cells.
+TEST(ErrorEstimate, IsNearTheError) {
+    EXPECT_NEAR(effectivity(1, 6), 1, 0.2);
+    EXPECT_NEAR(effectivity(2, 4), 1, 0.2);
+}
+
+TEST(ErrorEstimate, VanishesWhereTheSolutionIsExact) {
+    Problem problem;
+    problem.mesh_file = write_box("exact.msh", {});
+    problem.regions = {{1, triclinic()}};
+    for (int side = 1; side <= 6; ++side)
+        problem.displacements.push_back({side, {true, true, true}, [](const Point& x) { return Point{1e-3 * x[1], 2e-3 * x[2], -1e-3 * x[0]}; }});
+    EXPECT_LT(solve(problem).estimated_error(), 1e-10);
+}
+
 TEST(Manufactured, TensorShearInPlaceOfEngineeringShearIsSeen) { EXPECT_LT(orders(2, 2, 4, hooke_of_tensor_shear).stress, 0.5); }
 
 }  // namespace

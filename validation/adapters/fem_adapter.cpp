@@ -1,4 +1,5 @@
 #include "reference_fem/elasticity.hpp"
+#include "reference_fem/vtu.hpp"
 #include "solver/input/input_error.hpp"
 #include "solver/mesh/msh_file.hpp"
 #include "validation/adapters/fem_problem.hpp"
@@ -69,10 +70,12 @@ public:
         if (quantity == "energy") return solution_.energy();
         if (quantity == "external_work") return solution_.external_work();
         if (quantity == "residual") return solution_.record().relative_residual;
+        if (quantity == "estimated_error") return solution_.estimated_error();
         if (quantity == "energy_release_rate") return energy_release_rate();
         if (quantity == "crack_opening") return crack_opening();
         throw InputError(of_.file, quantity, "a quantity that finite elements have");
     }
+    std::string vtu() const override { return fem::vtu_text(solution_); }
     Resolution resolution() const override { return {size_, solution_.record().cells, solution_.record().dofs}; }
 
 private:
@@ -127,7 +130,7 @@ std::unique_ptr<FieldSource> run_fem(const Case& of, const geometry::Body& body,
     try {
         fem::Solution solution = fem::solve(fem_problem(of, body), options);
         const fem::SolveRecord& record = solution.record();
-        note = {solver, record.solver, record.cells, record.dofs, record.iterations, record.relative_residual, record.seconds};
+        note = {solver, record.solver, record.cells, record.dofs, record.iterations, record.relative_residual, record.seconds, record.matrix_bytes};
         return std::make_unique<FemSource>(of, body, options, std::move(solution), size);
     } catch (const fem::Error& error) {
         throw InputError(of.file, solver, std::string("a problem that can be solved: ") + error.what());

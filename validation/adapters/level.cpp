@@ -18,6 +18,11 @@ std::vector<Point> LevelSources::displacement_at(const std::vector<Point>& point
     return displacement;
 }
 
+const FieldSource* LevelSources::find(const std::string& solver) const {
+    const auto found = sources_.find(solver);
+    return found == sources_.end() ? nullptr : found->second.get();
+}
+
 FieldSource& LevelSources::get(const std::string& solver) {
     const auto found = sources_.find(solver);
     if (found != sources_.end()) return *found->second;

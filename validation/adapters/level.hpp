@@ -14,6 +14,8 @@ class LevelSources {
 public:
     LevelSources(const Case& of, double size, const std::filesystem::path& mesh_folder);
     FieldSource& get(const std::string& solver);
+    /// The answer of a solver that has been asked for; null if it has not.
+    const FieldSource* find(const std::string& solver) const;
     const Case& of() const { return of_; }
     double size() const { return size_; }
     const std::vector<SolveNote>& notes() const { return notes_; }

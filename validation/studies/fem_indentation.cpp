@@ -71,7 +71,7 @@ void add_values(const Setup& setup, const fem::IndentationResult& result, const 
         const double z = -depth * result.contact_radius;
         add("axial_stress", fmt::format("{} a below", depth), result.solution.recovered_at({{0, 0, z}}).front().stress[2]);
     }
-    outcome.solves.push_back({method, "cholmod, condensed contact", record.cells, record.dofs, record.iterations, record.relative_residual, record.seconds});
+    outcome.solves.push_back({method, "cholmod, condensed contact", record.cells, record.dofs, record.iterations, record.relative_residual, record.seconds, record.matrix_bytes});
 }
 
 /// The pressure over the radius, finest mesh, as points for the report.

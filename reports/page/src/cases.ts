@@ -70,26 +70,11 @@ function provenance_list(source: Source, several: boolean): HTMLElement {
   );
 }
 
-function solves_table(source: Source): HTMLElement | null {
-  const solves = source.timings?.solves ?? [];
-  if (solves.length === 0) return null;
-  const keys = [...new Set(solves.flatMap((solve) => Object.keys(solve)))];
-  const show = (value: unknown): string =>
-    typeof value === "number" ? number(value, 3) : value === null || value === undefined ? dash : String(value);
-  const columns = keys.map((key) => ({ title: words(key), numeric: solves.every((solve) => typeof solve[key] !== "string") }));
-  const table = plain_table(
-    "One line per solve",
-    columns,
-    solves.map((solve) => keys.map((key) => show(solve[key]))),
-  );
-  return el("details", {}, el("summary", {}, `Solves (${solves.length})`), scroll_frame("Solves", table));
-}
-
 export function provenance_section(report: Report): HTMLElement {
   const several = report.sources.length > 1;
   return section(
     "provenance",
     "Provenance",
-    ...report.sources.flatMap((source) => [provenance_list(source, several), solves_table(source)]),
+    ...report.sources.map((source) => provenance_list(source, several)),
   );
 }

@@ -3,6 +3,7 @@ import "./page.css";
 import { cases_section, provenance_section } from "./cases";
 import { ChartBoard } from "./chart_board";
 import { convergence_section } from "./convergence";
+import { costs_section } from "./costs";
 import { read_report, type Report } from "./data";
 import { el } from "./dom";
 import { headline } from "./headline";
@@ -48,6 +49,7 @@ function build(report: Report): void {
     samples_section(report, board),
     subdivision_section(report),
     scenes_section(report),
+    costs_section(report),
     cases_section(report),
     provenance_section(report),
   ];

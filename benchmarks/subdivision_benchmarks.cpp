@@ -8,6 +8,7 @@
 #endif
 
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include <memory>
 
@@ -46,8 +47,10 @@ void engine_cold(benchmark::State& state, LazyCase& source) {
     PairedTimes times;
     for (auto _ : state) {
         times = paired_times(first_cut, [&] { warm.run(); }, source.get().mesh.tets.size() < 20'000 ? 21 : 5, [&] {
+            cold.reset();
             cold = std::make_unique<subdivision::SubdivisionEngine>(source.get().mesh);
             links = {};
+            ::malloc_trim(0);  // the set-up's own temporary memory must not come back as written memory
             warm.engine.reset();
         });
         state.SetIterationTime(times.first);

@@ -30,11 +30,14 @@ struct ContactBody {
 /// Displacements (m) of the particles asked for.
 using ParticleDisplacement = std::function<void(std::span<const int> particles, std::span<Eigen::Vector3d> displacement)>;
 
+/// Stroh's sums where particles are displaced: far finer than what any strain operator leaves, at a tenth of the cost of the default.
+inline constexpr HalfSpaceOptions particle_options{.accuracy = 1e-4, .most_directions = 1024};
+
 /// Displacement of a body's particles under a contact. `half_space` evaluates where it is asked; `equilibrium` solves the whole body
 /// first. half_space takes the material of the particle nearest to the contact. Throws std::invalid_argument: a region without
 /// stiffness; std::runtime_error: no convergence.
 ParticleDisplacement contact_displacement(DisplacementSource source, const ContactBody& body, const ContactLoad& load,
-                                          const HalfSpaceOptions& options = {});
+                                          const HalfSpaceOptions& options = particle_options);
 
 /// Equilibrium of the free body under the contact. The pressure is spread over the boundary faces inside the patch and scaled so that
 /// the sum is the force (a patch smaller than a face loads the nearest face).

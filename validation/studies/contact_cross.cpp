@@ -32,7 +32,7 @@ using Eigen::Vector3d;
 
 const contact::ContactLoad load{.force = {0, 0, 1}, .radius = 1};
 constexpr double neighbourhood_radius = 2.5;  // m, support radius of the contact's kernel; the patch has radius 1
-constexpr double least_slope = 0.1;           // depth over distance from the axis: the analytic transform gets slow below
+constexpr double least_depth = 0.1;           // over the distance from the axis, or from the centre to the rim: the analytic transform gets slow below
 
 /// Stress and strain of the sampled particles, one way.
 struct Way {
@@ -57,7 +57,7 @@ Sample neighbourhood_of(const particles::Particles& particles) {
     Sample sample{{}, neighbourhood_radius};
     for (const int i : particles::neighbours_of_point(particles, grid, Vector3d::Zero(), kernel)) {
         const Vector3d& x = particles.position[i];
-        if (x[2] >= least_slope * std::hypot(x[0], x[1])) sample.ids.push_back(i);
+        if (x[2] >= least_depth * std::max(load.radius, std::hypot(x[0], x[1]))) sample.ids.push_back(i);
     }
     constexpr std::size_t most = 300;
     const std::size_t stride = (sample.ids.size() + most - 1) / most;
@@ -83,7 +83,7 @@ Way analytic_way(const ContactSurface& surface, const std::vector<Vector3d>& pla
     const material::Stiffness compliance = material::compliance(surface.stiffness);
     for (const Vector3d& x : places) {
         if (!surface.isotropic) {
-            append(way, surface.stiffness, eigen_gradient(fourier.response(plain(load.force), load.radius, plain(x), 1e-4).gradient));
+            append(way, surface.stiffness, eigen_gradient(fourier.response(plain(load.force), load.radius, plain(x), 1e-3).gradient));
             continue;
         }
         const analytic::Voigt s = analytic::hertz_interior({G, nu, plain(load.force), load.radius}, plain(x)).stress;

@@ -3,6 +3,7 @@
 #include "validation/analytic/linear_displacement.hpp"
 #include "validation/analytic/manufactured_trigonometric.hpp"
 #include "validation/analytic/sneddon_penny.hpp"
+#include "validation/analytic/uniform_stress.hpp"
 
 #include <gtest/gtest.h>
 
@@ -186,6 +187,23 @@ TEST(Penny, ReproducesTheTextbookNumbersAndItsOwnEnergyBalance) {
     // work of the pressure on an elliptical opening: p * opening * (2/3) pi a^2 / 2 = U
     EXPECT_NEAR(1e6 * penny.scalars.at("crack_opening") * std::numbers::pi * 4 * 2 / 3 / 2, penny.scalars.at("energy"), 1e-9);
     EXPECT_THROW(sneddon_penny(fibre_composite(), 2, 1e6, 1), std::invalid_argument);
+}
+
+TEST(UniformStress, IsTheStressOfItsDisplacementInTurnedAxes) {
+    const Voigt given{3, -2, 1, 0.5, -0.7, 0.4};
+    const Field field = uniform_stress(triclinic(), given, {1, 2, 3}, 0.8);
+    const Voigt stress = field.stress({}), from_gradient = stress_of(triclinic(), field.gradient({}));
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(stress[i], from_gradient[i], 1e-12);
+    // A turn keeps trace and norm, and by a right angle about z it exchanges x and y.
+    const auto norm = [](const Voigt& s) { return s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]); };
+    EXPECT_NEAR(stress[0] + stress[1] + stress[2], 2, 1e-13);
+    EXPECT_NEAR(norm(stress), norm(given), 1e-12);
+    const Voigt quarter = uniform_stress(triclinic(), given, {0, 0, 1}, std::numbers::pi / 2).stress({});
+    const Voigt expected{-2, 3, 1, -0.7, -0.5, -0.4};  // x' = y, y' = -x: yz' = xz, xz' = -yz, xy' = -xy
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(quarter[i], expected[i], 1e-13);
+    const Point u = field.displacement({0, 1, 0});
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(u[i], field.gradient({})[i][1], 1e-15);
+    EXPECT_THROW(uniform_stress(triclinic(), given, {0, 0, 0}, 1), std::invalid_argument);
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ ContactState press_paraboloid(const CondensedBody& body, const ContactSurface& s
             law = evaluate(surface, next.head(size), radius, next[size], penalty);
         }
         unknown = next;
-        if (magnitude(residual(unknown, law)) < 1e-12 * std::abs(unknown[size])) return {-law.force, unknown[size], iteration};
+        if (magnitude(residual(unknown, law)) < 1e-10 * std::abs(unknown[size])) return {-law.force, unknown[size], iteration};
     }
     throw Error("the contact did not settle in 60 steps of Newton's method");
 }

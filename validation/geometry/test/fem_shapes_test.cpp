@@ -56,7 +56,7 @@ TEST(EllipticPlate, HasItsSidesAndALineAtMidHeight) {
     EXPECT_NEAR(plate_mesh.volume.at("body"), plate_mesh.area.at("top") * 0.6, 0.002 * face);
     EXPECT_NEAR(plate_mesh.area.at("symmetry_x"), 1.75 * 0.6, 1e-9);
     EXPECT_NEAR(plate_mesh.area.at("symmetry_y"), 1.25 * 0.6, 1e-9);
-    EXPECT_NEAR(plate_mesh.area.at("outer_lower") / plate_mesh.area.at("outer_upper"), 1, 1e-9);
+    EXPECT_NEAR(plate_mesh.area.at("outer_lower") / plate_mesh.area.at("outer_upper"), 1, 1e-7);  // OCC places points to 1e-7 or so
     EXPECT_THROW(shape("shape = \"elliptic_plate\"\ninner = [\"4 m\", \"1 m\", \"0 m\"]\nouter = [\"3.25 m\", \"2.75 m\", \"0 m\"]\nthickness = \"0.6 m\"\n"), InputError);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -46,6 +47,11 @@ private:
     template <class First, class Second>
     void put(const std::pair<First, Second>& pair) {
         (*this)(pair.first, pair.second);
+    }
+    template <class Value>
+    void put(const std::optional<Value>& value) {
+        (*this)(value.has_value());
+        if (value) put(*value);
     }
     template <class Value, int rows, int columns>
     void put(const Eigen::Matrix<Value, rows, columns>& matrix) {
@@ -94,6 +100,13 @@ private:
     template <class First, class Second>
     void get(std::pair<First, Second>& pair) {
         (*this)(pair.first, pair.second);
+    }
+    template <class Value>
+    void get(std::optional<Value>& value) {
+        bool has = false;
+        get(has);
+        value.reset();
+        if (has) get(value.emplace());
     }
     template <class Value, int rows, int columns>
     void get(Eigen::Matrix<Value, rows, columns>& matrix) {

@@ -17,7 +17,7 @@ void fields(Archive& archive, Cut& cut) {
 namespace cleave::fragments {
 template <class Archive>
 void fields(Archive& archive, Crack& crack) {
-    archive(crack.disc, crack.inner_radius);
+    archive(crack.disc, crack.inner_radius, crack.region);
 }
 template <class Archive>
 void fields(Archive& archive, MassProperties& mass) {
@@ -81,12 +81,12 @@ void fields(Archive& archive, Piece& piece) {
 template <class Archive>
 void fields(Archive& archive, ImpactRecord& impact) {
     archive(impact.frame, impact.body, impact.fragment, impact.speed, impact.effective_mass, impact.force, impact.contact_radius, impact.point,
-            impact.inward, impact.normals, impact.outer_radii, impact.inner_radii, impact.fragments);
+            impact.inward, impact.principals, impact.normals, impact.outer_radii, impact.inner_radii, impact.fragments);
 }
 template <class Archive>
 void fields(Archive& archive, Watch& watch) {
     archive(watch.momentum_error, watch.angular_momentum_error, watch.mass_error, watch.energy_growth, watch.energy_scale, watch.penetration, watch.boundary_at_start, watch.steps,
-            watch.contacts_analysed);
+            watch.fractures);
 }
 template <class Archive>
 void fields(Archive& archive, State& state) {

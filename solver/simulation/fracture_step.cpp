@@ -113,24 +113,22 @@ void Simulation::fracture(const Hit& hit) {
         record.inward = load.inward;
         found = body.analyse(load);
     }
-    ++state_.watch.contacts_analysed;
-    if (found.cracks.empty()) return;
+    for (const fracture::PointAnalysis& point : found.points)
+        for (const fracture::Group& group : point.groups) record.principals.push_back(group.principal.value);
     for (const fracture::Crack& crack : found.cracks) {
         record.normals.push_back(crack.normal);
         record.outer_radii.push_back(crack.outer_radius);
         record.inner_radii.push_back(crack.inner_radius);
     }
-    ++clock_.fractures;
     bool changed = false;
-    std::vector<int> pieces;
-    {
-        const Stopwatch watch(clock_.subdivision);
-        pieces = open_cracks(piece, found, changed);
-    }
+    const std::vector<int> pieces = open_cracks(piece, found, changed);
     record.fragments = static_cast<std::int32_t>(pieces.size());
     state_.impacts.push_back(record);
+    if (!changed) return;
     const Stopwatch watch(clock_.fragments);
-    if (changed) replace(hit.piece, pieces);
+    ++state_.watch.fractures;
+    ++clock_.fractures;
+    replace(hit.piece, pieces);
 }
 
 /// Each crack passes through all pieces that the ones before have left; lone particles stay whole.
@@ -138,22 +136,35 @@ std::vector<int> Simulation::open_cracks(const Piece& piece, const fracture::Cra
     SceneBody& body = *bodies_[piece.body];
     std::vector<int> pieces{piece.fragment};
     for (const fracture::Crack& crack : found.cracks) {
-        const fragments::Crack disc{.disc = {.centre = crack.centre, .normal = crack.normal, .radius = crack.outer_radius}, .inner_radius = crack.inner_radius};
         if (!(crack.outer_radius > 0)) continue;
+        const fragments::Crack disc{.disc = {.centre = crack.centre, .normal = crack.normal, .radius = crack.outer_radius},
+                                    .inner_radius = crack.inner_radius, .region = body.region_of_material(crack.material)};
         std::vector<int> next;
         for (const int fragment : pieces) {
             if (body.fragmented().fragment(fragment).particles.size() < 2) {
                 next.push_back(fragment);
                 continue;
             }
-            bool opened = false;
-            for (const int made : body.open(disc, fragment, &opened)) next.push_back(made);
-            changed = changed || opened;
+            const SceneBody::Opened opened = open_crack(body, disc, fragment);
+            next.insert(next.end(), opened.fragments.begin(), opened.fragments.end());
+            changed = changed || opened.changed;
         }
         pieces = std::move(next);
     }
     std::sort(pieces.begin(), pieces.end());
     return pieces;
+}
+
+SceneBody::Opened Simulation::open_crack(SceneBody& body, const fragments::Crack& crack, int fragment) {
+    int cut = 0;
+    {
+        const Stopwatch watch(clock_.subdivision);
+        cut = body.subdivide(crack, fragment);
+    }
+    const Stopwatch watch(clock_.cracks);
+    SceneBody::Opened opened = body.open(crack, fragment);
+    opened.changed = opened.changed || cut > 0;
+    return opened;
 }
 
 /// A piece gives way to the fragments it became. Its velocity field is theirs: v_f = v + w x (c_f - c), w_f = w.

@@ -56,7 +56,7 @@ void FrameGrid::build(const Simulation& simulation) {
 }
 
 std::string FrameGrid::bytes(const Simulation& simulation) {
-    const int impacts = simulation.state().watch.contacts_analysed;  // each changes stresses
+    const int impacts = static_cast<int>(simulation.state().impacts.size());  // each changes stresses
     if (topology_ != simulation.topology() || impacts_ != impacts) build(simulation);
     topology_ = simulation.topology();
     impacts_ = impacts;

@@ -237,15 +237,36 @@ fracture::CrackAnalysis SceneBody::analyse(const contact::ContactLoad& load) {
     return found;
 }
 
-std::vector<int> SceneBody::open(const fragments::Crack& crack, int fragment, bool* changed) {
-    const fragments::CrackOutcome outcome = fragmented_->crack(crack, fragment);
+int SceneBody::subdivide(const fragments::Crack& crack, int fragment) {
+    const subdivision::Counts counts = fragmented_->subdivide(crack, fragment);
+    return counts.three_one + counts.two_two;
+}
+
+SceneBody::Opened SceneBody::open(const fragments::Crack& crack, int fragment) {
+    const fragments::CrackOutcome outcome = fragmented_->open(crack, fragment);
     history_.push_back({crack, fragment});
-    if (changed) *changed = outcome.removed_links > 0 || outcome.isolated > 0 || outcome.counts.three_one > 0 || outcome.counts.two_two > 0;
-    return outcome.new_fragments.empty() ? std::vector<int>{fragment} : outcome.new_fragments;
+    Opened opened{.fragments = outcome.new_fragments, .changed = outcome.removed_links > 0 || outcome.isolated > 0};
+    if (opened.fragments.empty()) opened.fragments = {fragment};
+    return opened;
+}
+
+std::optional<int> SceneBody::region_of_material(int material) const {
+    const elasticity::Solid& solid = analysis_->solid;
+    if (solid.stiffness.size() < 2) return std::nullopt;
+    std::optional<int> found;
+    for (std::size_t i = 0; i < solid.material.size(); ++i) {
+        if (solid.material[i] != material) continue;
+        if (found && *found != mesh_.regions[i]) return std::nullopt;
+        found = mesh_.regions[i];
+    }
+    return found;
 }
 
 void SceneBody::repeat(const std::vector<OpenedCrack>& history, std::vector<ParticleResult> results) {
-    for (const OpenedCrack& opened : history) open(opened.crack, opened.fragment);
+    for (const OpenedCrack& opened : history) {
+        subdivide(opened.crack, opened.fragment);
+        open(opened.crack, opened.fragment);
+    }
     results_ = std::move(results);
 }
 

@@ -66,8 +66,18 @@ public:
     /// Algorithm 1 for a load (rest coordinates). Keeps the results of the groups.
     fracture::CrackAnalysis analyse(const contact::ContactLoad& load);
 
-    /// Opens a crack in a fragment; returns the fragments it became (the same number where it stayed in one piece).
-    std::vector<int> open(const fragments::Crack& crack, int fragment, bool* changed = nullptr);
+    /// What a crack did to a fragment.
+    struct Opened {
+        std::vector<int> fragments;  ///< that it became; the same number where it stayed in one piece
+        bool changed = false;        ///< tets were cut or links removed
+    };
+    /// Tets at the crack are cut. Returns how many.
+    int subdivide(const fragments::Crack& crack, int fragment);
+    /// Opens a crack for which subdivide() was called.
+    Opened open(const fragments::Crack& crack, int fragment);
+
+    /// The region that a material of the analysis fills; none where it is the only one, or fills several.
+    std::optional<int> region_of_material(int material) const;
 
     /// A body made of the same spec goes through the same cracks again.
     void repeat(const std::vector<OpenedCrack>& history, std::vector<ParticleResult> results);

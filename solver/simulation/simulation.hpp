@@ -17,9 +17,10 @@ namespace cleave::simulation {
 struct Clock {
     double dynamics = 0;     ///< rigid bodies, debris
     double analysis = 0;     ///< contact mechanics, strains, cracks' normals and radii
-    double subdivision = 0;  ///< subdivision, links, components
+    double subdivision = 0;  ///< tets at the cracks, with their links
+    double cracks = 0;       ///< links removed, components found
     double fragments = 0;    ///< new fragments: surfaces, masses, boundary particles, rigid bodies
-    int fractures = 0;       ///< events that the last three are spread over
+    int fractures = 0;       ///< contacts whose cracks changed a piece
 };
 
 /// A scene on its way (Sects. 5.3 and 6): contact -> analysis -> cracks -> subdivision -> fragments -> rigid bodies. Fragments inherit
@@ -75,6 +76,7 @@ private:
     double inverse_mass(int rigid, const Eigen::Vector3d& point, const Eigen::Vector3d& direction) const;
     void fracture(const Hit& hit);
     std::vector<int> open_cracks(const Piece& piece, const fracture::CrackAnalysis& found, bool& changed);
+    SceneBody::Opened open_crack(SceneBody& body, const fragments::Crack& crack, int fragment);
     void replace(int piece, const std::vector<int>& fragments);
     void watch_momentum(const Piece& before, const rigid::Motion& before_motion, std::size_t first_new);
 

@@ -25,7 +25,7 @@ struct Piece {
     Shape shape;                 ///< moves into the track when that begins
 };
 
-/// One crack event: what hit what, and what came of it.
+/// One analysed contact: what was hit, how, and what came of it.
 struct ImpactRecord {
     std::int32_t frame = 0;
     std::int32_t body = 0, fragment = 0;
@@ -34,9 +34,10 @@ struct ImpactRecord {
     double force = 0;             ///< N, Hertz's peak
     double contact_radius = 0;    ///< m
     Eigen::Vector3d point = Eigen::Vector3d::Zero(), inward = Eigen::Vector3d::UnitZ();  ///< rest coordinates
+    std::vector<double> principals;         ///< largest principal value of each group: Pa, or strain
     std::vector<Eigen::Vector3d> normals;   ///< of the cracks, rest coordinates
     std::vector<double> outer_radii, inner_radii;  ///< m
-    std::int32_t fragments = 0;   ///< into which the piece fell
+    std::int32_t fragments = 1;   ///< into which the piece fell
 };
 
 /// What statistics.json tells besides counts: worst figures of the whole run.
@@ -49,7 +50,7 @@ struct Watch {
     double penetration = 0;             ///< m
     std::int32_t boundary_at_start = 0;  ///< boundary particles
     std::int32_t steps = 0;
-    std::int32_t contacts_analysed = 0;
+    std::int32_t fractures = 0;         ///< contacts whose cracks changed a piece
 };
 
 /// One body's cracks: what a restart repeats.

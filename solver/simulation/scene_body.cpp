@@ -33,6 +33,13 @@ particles::Particles shaped_particles(const mesh::TetMesh& mesh, const KernelSpe
     return particles;
 }
 
+/// E / (1 - nu^2) where isotropic, at once; else by Stroh's sum over directions.
+double modulus_of(const material::Stiffness& stiffness, const Eigen::Vector3d& inward) {
+    if (!contact::is_isotropic(stiffness)) return contact::indentation_modulus(stiffness, inward);
+    const material::EngineeringConstants constants = material::engineering_constants(stiffness);
+    return constants.E1 / (1 - constants.nu12 * constants.nu12);
+}
+
 }  // namespace
 
 struct SceneBody::Analysis {
@@ -196,11 +203,12 @@ FragmentForm SceneBody::form(int fragment_number) const {
 }
 
 double SceneBody::indentation_modulus(const Eigen::Vector3d& place, const Eigen::Vector3d& inward) const {
-    if (is_ball()) return contact::indentation_modulus(spec_.material.elastic.stiffness, inward);
+    if (is_ball()) return modulus_of(spec_.material.elastic.stiffness, inward);
     int nearest = 0;
-    for (int i = 1; i < original_particles(); ++i)
-        if ((mesh::tet_centroid(mesh_, i) - place).squaredNorm() < (mesh::tet_centroid(mesh_, nearest) - place).squaredNorm()) nearest = i;
-    return contact::indentation_modulus(stiffness_.at(mesh_.regions[static_cast<std::size_t>(nearest)]), inward);
+    if (stiffness_.size() > 1)
+        for (int i = 1; i < original_particles(); ++i)
+            if ((mesh::tet_centroid(mesh_, i) - place).squaredNorm() < (mesh::tet_centroid(mesh_, nearest) - place).squaredNorm()) nearest = i;
+    return modulus_of(stiffness_.at(mesh_.regions[static_cast<std::size_t>(nearest)]), inward);
 }
 
 Eigen::Vector3d SceneBody::surface_point(const Eigen::Vector3d& place, double reach) const {

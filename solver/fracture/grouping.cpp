@@ -122,18 +122,35 @@ int nearest_centre(const std::vector<Eigen::Vector3d>& centres, const Eigen::Vec
     return best;
 }
 
+/// Each centre to the mean of its members; one without any stays.
+void move_centres(const std::vector<Neighbour>& neighbours, const Order& order, const std::vector<int>& centre_of,
+                  std::vector<Eigen::Vector3d>& centres) {
+    std::vector<Eigen::Vector3d> sum(centres.size(), Eigen::Vector3d::Zero());
+    std::vector<double> volume(centres.size(), 0);
+    for (const int k : order) {
+        sum[centre_of[k]] += neighbours[k].volume * neighbours[k].r;
+        volume[centre_of[k]] += neighbours[k].volume;
+    }
+    for (std::size_t c = 0; c < centres.size(); ++c)
+        if (volume[c] > 0) centres[c] = sum[c] / volume[c];
+}
+
 Sets k_means(const std::vector<Neighbour>& neighbours, const Order& order, int groups) {
     constexpr int rounds = 100;  // assignments of some hundred places settle in about ten
     std::vector<Eigen::Vector3d> centres = far_seeds(neighbours, order, groups);
-    Sets sets(groups), previous;
-    for (int round = 0; round < rounds && sets != previous; ++round) {
-        previous = std::move(sets);
-        sets.assign(groups, {});
-        for (const int k : order) sets[nearest_centre(centres, neighbours[k].r)].push_back(k);
-        for (std::size_t c = 0; c < centres.size(); ++c)
-            if (!sets[c].empty()) centres[c] = mean_place(neighbours, sets[c]);
+    std::vector<int> centre_of(neighbours.size(), -1);
+    bool changed = true;
+    for (int round = 0; round < rounds && changed; ++round) {
+        changed = false;
+        for (std::size_t k = 0; k < neighbours.size(); ++k) {
+            const int nearest = nearest_centre(centres, neighbours[k].r);
+            changed |= nearest != centre_of[k];
+            centre_of[k] = nearest;
+        }
+        if (changed) move_centres(neighbours, order, centre_of, centres);
     }
-    for (auto& set : sets) std::sort(set.begin(), set.end());
+    Sets sets(groups);
+    for (std::size_t k = 0; k < neighbours.size(); ++k) sets[centre_of[k]].push_back(static_cast<int>(k));
     return sets;
 }
 

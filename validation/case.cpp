@@ -186,6 +186,11 @@ void read_particles(TableReader& reader, const Defaults& defaults, Case& result)
     if (auto kernel = table->table_if("kernel")) {
         result.particles.kernel_aspect = kernel->number_or("aspect", 1);
         result.particles.kernel_seed = kernel->integer_or("seed", 1);
+        if (kernel->has("axis")) {
+            const std::vector<double> axis = kernel->numbers("axis");
+            if (axis.size() != 3 || !(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2] > 0)) kernel->fail("axis", "three numbers, not all zero");
+            result.particles.kernel_axis = {axis[0], axis[1], axis[2]};
+        }
         if (!(result.particles.kernel_aspect >= 1)) kernel->fail("aspect", "a number from 1 (longest over shortest axis)");
     }
     if (table->has("residual_tolerance")) {

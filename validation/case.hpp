@@ -102,6 +102,7 @@ struct ParticleSettings {
     double support_factor = 2.5;                 ///< k in h = k s
     double kernel_aspect = 1;                    ///< longest over shortest support axis, determinant kept
     long kernel_seed = 1;                        ///< of the random orientations of stretched kernels
+    std::optional<std::array<double, 3>> kernel_axis;  ///< one long axis for all of them instead
     std::string displacement = "solution";       ///< an analytic solution's name, or "fem.p2"
     std::optional<SolutionCall> solution;
 };

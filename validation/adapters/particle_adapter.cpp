@@ -45,7 +45,7 @@ std::unique_ptr<FieldSource> run_particles(const Case& of, const geometry::Body&
     const mesh::TetMesh mesh = mesh::read_msh(body.mesh_file);
     mesh::check(mesh, body.mesh_file.string());
     particles::Particles particles = particles::from_mesh(mesh, of.particles.support_factor);
-    stretch_kernels(particles, of.particles.kernel_aspect, of.particles.kernel_seed);
+    stretch_kernels(particles, of.particles);
     const std::vector<Eigen::Vector3d> u = eigen(displacement(plain(particles.position)));
     elasticity::Fields fields;
     std::shared_ptr<OperatorState> state;

@@ -57,12 +57,18 @@ elasticity::Solid solid_of(const Case& of, const geometry::Body& body, const std
     return solid;
 }
 
-void stretch_kernels(particles::Particles& particles, double aspect, long seed) {
+void stretch_kernels(particles::Particles& particles, const ParticleSettings& settings) {
+    const double aspect = settings.kernel_aspect;
     if (aspect == 1) return;
-    std::mt19937_64 engine(static_cast<std::uint64_t>(seed));
+    std::mt19937_64 engine(static_cast<std::uint64_t>(settings.kernel_seed));
     const Eigen::Vector3d stretch(std::pow(aspect, 2.0 / 3), std::pow(aspect, -1.0 / 3), std::pow(aspect, -1.0 / 3));
+    const auto axes = [&]() -> Eigen::Matrix3d {
+        if (!settings.kernel_axis) return random_axes(engine);
+        const Eigen::Vector3d axis((*settings.kernel_axis)[0], (*settings.kernel_axis)[1], (*settings.kernel_axis)[2]);
+        return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), axis).toRotationMatrix();
+    };
     for (std::size_t i = 0; i < particles.tensor.size(); ++i)
-        particles.tensor[i] = particles::tensor_from_axes(random_axes(engine), particles.support_radius[i] * stretch);
+        particles.tensor[i] = particles::tensor_from_axes(axes(), particles.support_radius[i] * stretch);
 }
 
 Samples particle_samples(const particles::Particles& particles, const std::vector<Eigen::Vector3d>& displacement, const elasticity::Fields& fields) {

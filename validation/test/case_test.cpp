@@ -92,6 +92,8 @@ TEST(Case, MistakesAreNamed) {
         {replaced("basis = \"exact\"", ""), "check[0].basis: expected why the band is that wide"},
         {replaced("depth > 0.1", "dept > 0.1"), "check[0].over.region: expected a number or one of depth, x, y, z (not 'dept')"},
         {replaced("{ solution = \"linear_displacement\" }\nover", "{ value = 3.0, source = \"me\" }\nover"), "check[0].reference.value"},
+        {replaced("solution = \"linear_displacement\"\n[ladder]", "solution = \"linear_displacement\"\nkernel = { axis = [0, 0, 0] }\n[ladder]"),
+         "particles.kernel.axis: expected three numbers, not all zero"},
         {replaced("nu = 0.25", "nu = 0.7"), "material"},
         {"name = 3\n", "name: expected a string"},
         {"", "name: expected a string (the key is missing)"}};

@@ -7,6 +7,8 @@ void register_all(Level level, bool count_instructions) {
     register_table2(level, bodies);
     register_subdivision(level, bodies);
     register_fragments(level, bodies);
+    register_particles(level, bodies);
+    register_equilibrium(level);
     register_stress_analysis();
     if (count_instructions) register_instructions(bodies);
 }

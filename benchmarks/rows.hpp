@@ -16,6 +16,10 @@ void register_subdivision(Level level, Bodies& bodies);
 void register_instructions(Bodies& bodies);
 /// fragments/...: removing links and finding the fragments.
 void register_fragments(Level level, Bodies& bodies);
+/// neighbours/... beside nanoflann, gradient/... beside a plain Eigen loop.
+void register_particles(Level level, Bodies& bodies);
+/// equilibrium/...: time to accuracy of the particles and of finite elements.
+void register_equilibrium(Level level);
 /// stress_analysis/...: what one contact costs, from the load to the cracks.
 void register_stress_analysis();
 

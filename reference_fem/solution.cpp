@@ -83,8 +83,10 @@ FieldSample Solution::Data::sample(int cell, const Local& local) const {
             .weight = 0,
             .region = mesh.cell_regions[cell],
             .displacement = local.displacement,
+            .gradient = local.gradient,
             .strain = engineering_strain(local.gradient),
-            .stress = materials[cell]->stress(local.gradient)};
+            .stress = materials[cell]->stress(local.gradient),
+            .cell = cell};
 }
 
 FieldSample Solution::Data::sample(const PointLocator::Place& place) const {

@@ -23,9 +23,18 @@ struct FieldSample {
     double weight = 0;     ///< quadrature weight, m^3; 0 for point samples
     int region = 0;        ///< tag of the physical volume
     Point displacement{};  ///< m
+    std::array<Point, 3> gradient{};  ///< gradient[i][j] = du_i/dx_j
     Voigt strain{};        ///< engineering shear
     Voigt stress{};        ///< Pa
+    int cell = 0;          ///< in the order of the file
 };
+
+/// The fields at a place of a surface; the weight is an area, m^2.
+struct SurfaceSample : FieldSample {
+    Point normal{};  ///< outward unit normal
+};
+
+class Elasticity;
 
 /// The solution of one Problem: a handle, cheap to copy and safe to read from several threads.
 class Solution {
@@ -53,6 +62,17 @@ public:
     /// to first order: at the edge of a hole in material M the two differ by less than their error (4 % rms at size a/28, on the tensor).
     std::vector<FieldSample> recovered_at(const std::vector<Point>& points) const;
 
+    /// As quadrature_samples, of some cells only, one after the other.
+    std::vector<FieldSample> cell_samples(const std::vector<int>& cells, int order = 3) const;
+    /// The fields on the faces of a physical surface, from the cells behind them, of cells that are `wanted` (empty: all). 72 points a face,
+    /// exact to degree 4 and for such polynomials over the square root of the distance from an edge. Throws Error.
+    std::vector<SurfaceSample> surface_samples(int surface, const std::function<bool(int cell)>& wanted = {}) const;
+    /// Tags of the physical surfaces, ascending.
+    std::vector<int> surfaces() const;
+    /// The material of a cell; it lives as long as the solution.
+    const Elasticity& material(int cell) const;
+
+    std::vector<std::array<int, 4>> cells() const;  ///< numbers of their vertices
     std::vector<Point> vertices() const;              ///< m; vertices of tets, in the order of the file
     std::vector<Point> vertex_displacements() const;  ///< m; one per vertex
 

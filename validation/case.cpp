@@ -222,6 +222,18 @@ void read_study_case(TableReader& reader, Case& result) {
     reader.finish();
 }
 
+void read_toughness(TableReader& reader, Case& result) {
+    auto table = reader.table_if("toughness");
+    if (!table) return;
+    result.toughness.ratio = table->number("ratio");
+    if (!(result.toughness.ratio > 0)) table->fail("ratio", "a positive number, K across over K along the weak plane");
+    const std::vector<double> normal = table->numbers("weak_normal");
+    double square = 0;
+    for (const double n : normal) square += n * n;
+    if (normal.size() != 3 || !(square > 0)) table->fail("weak_normal", "three numbers, not all zero");
+    for (std::size_t i = 0; i < 3; ++i) result.toughness.weak_normal[i] = normal[i] / std::sqrt(square);
+}
+
 Case read_one(TableReader reader, const std::string& file, const std::string& ladder) {
     Case result;
     result.file = file;
@@ -239,6 +251,7 @@ Case read_one(TableReader reader, const std::string& file, const std::string& la
     read_loads(reader, defaults, result);
     read_ladder(reader, ladder, result);
     read_particles(reader, defaults, result);
+    read_toughness(reader, result);
     for (TableReader& table : reader.tables("check")) result.checks.push_back(read_check(table, defaults, result));
     for (TableReader& table : reader.tables_if("profile")) result.profiles.push_back(read_profile(table, defaults, result));
     reader.finish();

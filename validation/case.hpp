@@ -107,6 +107,12 @@ struct ParticleSettings {
     std::optional<SolutionCall> solution;
 };
 
+/// Toughness by the direction of the crack's plane, K_c / K_0 = cos^2 + ratio sin^2 of its angle from a weak plane (Saouma et al. 1987).
+struct Toughness {
+    double ratio = 1;                          ///< K_90 / K_0
+    std::array<double, 3> weak_normal{0, 1, 0};  ///< unit normal of the weak plane, in the body's axes
+};
+
 /// A case file, one sweep combination of it, with every value in SI (angles of checks in degrees).
 struct Case {
     std::string name;    ///< with the swept values in brackets
@@ -126,6 +132,7 @@ struct Case {
     std::string ladder_unit_name;                   ///< relative_to, "" where sizes are absolute
     std::map<std::string, std::vector<double>> ladder;  ///< level -> sizes, m, coarse to fine
     ParticleSettings particles;
+    Toughness toughness;
     std::vector<Check> checks;
     std::vector<Profile> profiles;
     std::string text;                               ///< the file with overrides, for fingerprints

@@ -43,13 +43,21 @@ struct Unit {
     }
 };
 
+Names components_of(const std::string& quantity) {
+    if (quantity == "displacement") return {"x", "y", "z"};
+    if (quantity == "stress_intensity") return {"I", "II", "III"};
+    if (quantity == "crack_direction") return {"hoop", "hoop_size", "energy", "weighted"};
+    if (is_front_quantity(quantity)) return {};
+    return {"xx", "yy", "zz", "yz", "xz", "xy"};
+}
+
 Observable read_observable(TableReader& table) {
     Observable observable{table.choice("quantity", names_of(quantities())), ""};
     if (!table.has("component")) return observable;
     if (is_scalar(observable.quantity)) table.fail("component", "no component for a quantity of the whole body");
-    const bool vector = observable.quantity == "displacement";
-    observable.component = table.choice("component", vector ? std::vector<std::string>{"x", "y", "z"}
-                                                            : std::vector<std::string>{"xx", "yy", "zz", "yz", "xz", "xy"});
+    const Names components = components_of(observable.quantity);
+    if (components.empty()) table.fail("component", "no component for this quantity");
+    observable.component = table.choice("component", components);
     return observable;
 }
 
@@ -140,10 +148,17 @@ void require_reasons(const TableReader& table, const Check& check) {
             if (band.relative) table.fail("band", "an absolute band beside a reference of zero");
 }
 
+void require_front(const TableReader& table, const Check& check) {
+    if (check.at.empty()) table.fail("at", "places: the nearest places of the crack's front count (the key is missing)");
+    if (!components_of(check.observable.quantity).empty() && check.observable.component.empty())
+        table.fail("component", fmt::format("one of {} (the key is missing)", fmt::join(components_of(check.observable.quantity), ", ")));
+}
+
 void require_consistency(const TableReader& table, const Check& check, const Case& of) {
     for (const auto& [solver, band] : check.bands)
         if (band.order_at_least && !of.shape->uniform_refinement()) table.fail("band", "no order_at_least for a shape whose mesh is graded");
     require_reasons(table, check);
+    if (is_front_quantity(check.observable.quantity)) return require_front(table, check);
     const bool scalar = is_scalar(check.observable.quantity);
     if (scalar && !check.at.empty()) table.fail("at", "no place for a quantity of the whole body");
     if (check.reference.kind == Reference::Kind::value && !scalar && (check.at.empty() || check.observable.component.empty()))
@@ -179,12 +194,24 @@ const std::vector<QuantityInfo>& quantities() {
         {"rotated_energy_error", dimension::none},     // change of the corotated energy when the body turns by 1 rad
         {"energy_release_rate", dimension::energy_per_area},         // moved vertices, whole front
         {"energy_release_rate_domain", dimension::energy_per_area},  // domain integral, whole front
+        {"stress_intensity", dimension::stress_intensity},           // at a place of the front, by interaction integral
+        {"energy_release_rate_at", dimension::energy_per_area},      // at a place of the front, domain integral
+        {"energy_release_rate_from_k", dimension::energy_per_area},  // the same from the stress intensities
+        {"energy_release_gap", dimension::none},                     // |from_k / at - 1|
+        {"crack_direction", dimension::none, true},                  // kink at a place of the front, from its stress intensities; hoop_size: of two equal maxima
         {"crack_opening", dimension::length},                        // at the crack's centre
         {"acceleration_balance", dimension::none}};    // free body: |load - mass * acceleration| and its moment, relative
     return list;
 }
 
-bool is_scalar(const std::string& quantity) { return quantity != "displacement" && quantity != "strain" && quantity != "stress"; }
+bool is_front_quantity(const std::string& quantity) {
+    return quantity == "stress_intensity" || quantity == "energy_release_rate_at" || quantity == "energy_release_rate_from_k" ||
+           quantity == "energy_release_gap" || quantity == "crack_direction";
+}
+
+bool is_scalar(const std::string& quantity) {
+    return quantity != "displacement" && quantity != "strain" && quantity != "stress" && !is_front_quantity(quantity);
+}
 
 namespace {
 

@@ -16,6 +16,9 @@ Profile read_profile(TableReader& table, const std::map<std::string, SolutionCal
 /// The solvers that checks may name.
 const std::vector<std::string>& solver_names();
 
+/// True for quantities of a crack's front, which have places near it.
+bool is_front_quantity(const std::string& quantity);
+
 /// True for quantities of the whole body, which have neither component nor place.
 bool is_scalar(const std::string& quantity);
 

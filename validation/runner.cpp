@@ -47,6 +47,8 @@ std::vector<Row> empty_rows(const Check& check, const Case& of) {
             row.must_fail = check.must_fail;
             if (is_scalar(check.observable.quantity))
                 row.place = "whole body";
+            else if (is_front_quantity(check.observable.quantity))
+                row.place = fmt::format("front near ({}, {}, {}) m", check.at[place][0], check.at[place][1], check.at[place][2]);
             else if (check.at.empty())
                 row.place = check.norm + (check.region.empty() ? " over the body" : " over " + check.region);
             else
@@ -144,8 +146,26 @@ Measurement measure_scalar(const Check& check, const std::string& solver, LevelS
     return measurement;
 }
 
+/// A quantity of the crack's front, at the place nearest to `point`.
+Measurement measure_front(const Check& check, const std::string& solver, const Point& point, LevelSources& sources) {
+    Measurement measurement;
+    const auto shown = [&](double value) { return (check.angle ? degrees(value) : value) / check.divide_by; };
+    measurement.value = shown(sources.get(solver).at_front(check.observable.quantity, check.observable.component, point));
+    if (check.reference.kind == Reference::Kind::value) measurement.reference = check.reference.value;
+    if (check.reference.kind == Reference::Kind::solver)
+        measurement.reference = shown(sources.get(check.reference.source).at_front(check.observable.quantity, check.observable.component, point));
+    if (check.reference.kind == Reference::Kind::solution) {
+        const analytic::Field field = make_field(*check.reference.solution, sources.of());
+        if (!field.at_front) throw std::invalid_argument("a solution that gives the quantity " + check.observable.quantity);
+        measurement.reference = shown(field.at_front(check.observable.quantity, check.observable.component, point));
+    }
+    set_errors(measurement);
+    return measurement;
+}
+
 Measurement measure(const Check& check, const std::string& solver, std::size_t place, LevelSources& sources) {
     try {
+        if (is_front_quantity(check.observable.quantity)) return measure_front(check, solver, check.at[place], sources);
         if (is_scalar(check.observable.quantity)) return measure_scalar(check, solver, sources);
         if (check.at.empty()) return measure_field(check, solver, sources);
         return measure_point(check, solver, check.at[place], sources);

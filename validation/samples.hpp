@@ -3,6 +3,7 @@
 #include "validation/analytic/field.hpp"
 #include "validation/expression.hpp"
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,12 @@ public:
     virtual Samples inside(const std::vector<Point>& points) const { return at(points); }
     /// A quantity of the whole body (see scalar_quantities()), SI. Throws InputError where the method does not have it.
     virtual double scalar(const std::string& quantity) const = 0;
+    /// A quantity of the crack's front (see is_front_quantity) at the place nearest to a point, SI. Throws std::invalid_argument where the
+    /// method does not have it.
+    virtual double at_front(const std::string& quantity, const std::string& component, const Point& place) const {
+        (void)component, (void)place;
+        throw std::invalid_argument("a solver that has the quantity " + quantity);
+    }
     virtual Resolution resolution() const = 0;
     /// The fields as a VTU file's text; empty where the method writes none.
     virtual std::string vtu() const { return {}; }

@@ -6,6 +6,7 @@
 #include "validation/analytic/manufactured_trigonometric.hpp"
 #include "validation/analytic/sneddon_penny.hpp"
 #include "validation/analytic/uniform_stress.hpp"
+#include "validation/crack_solutions.hpp"
 
 #include <fmt/format.h>
 
@@ -75,6 +76,7 @@ analytic::Field build_uniform_stress(const SolutionCall& call, const analytic::S
 }
 
 analytic::Field build(const SolutionCall& call, const Case& of, const analytic::Stiffness& stiffness) {
+    if (is_crack_solution(call.name)) return make_crack_field(call, of, stiffness);
     if (call.name == "linear_displacement") return analytic::linear_displacement(stiffness, analytic::generic_gradient());
     if (call.name == "manufactured_trigonometric")
         return analytic::manufactured_trigonometric(stiffness, number(call, "wavelength", 1) * body_length(of), number(call, "scale", 1));
@@ -92,7 +94,7 @@ analytic::Field build(const SolutionCall& call, const Case& of, const analytic::
 
 const std::vector<SolutionInfo>& solutions() {
     using Kind = SolutionInfo::Key::Kind;
-    static const std::vector<SolutionInfo> list{
+    static const std::vector<SolutionInfo> own{
         {"linear_displacement", "u = A x with a generic A: the patch test, any material and shape", {}},
         {"manufactured_trigonometric", "plane waves with the body force that balances them, any material; scale multiplies the strain, wavelength the waves' length",
          {{"scale", Kind::number, {}, {}}, {"wavelength", Kind::number, {}, {}}}},
@@ -107,6 +109,11 @@ const std::vector<SolutionInfo>& solutions() {
         {"sneddon_penny",
          "penny crack under pressure in infinite isotropic space: energy_release_rate, crack_opening, energy (Sneddon 1946)",
          {{"pressure", Kind::quantity, {}, dimension::pressure}, {"box_factor", Kind::number, {}, {}}}}};
+    static const std::vector<SolutionInfo> list = [] {
+        std::vector<SolutionInfo> all = own;
+        all.insert(all.end(), crack_solutions().begin(), crack_solutions().end());
+        return all;
+    }();
     return list;
 }
 

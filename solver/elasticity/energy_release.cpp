@@ -29,17 +29,6 @@ EquilibriumSystem moved_system(const EquilibriumProblem& problem, const Equilibr
     return make_system(problem, options.link_penalty, std::make_shared<const ConformingBody>(move_body(body, moved)));
 }
 
-/// Gradient of the growth in a tet, dq_a / dx_b.
-Eigen::Matrix3d growth_gradient(const mesh::TetMesh& mesh, int tet, const Vectors& growth) {
-    const auto& corners = mesh.tets[tet];
-    Eigen::Matrix3d edges, changes;
-    for (int k = 0; k < 3; ++k) {
-        edges.col(k) = mesh.vertices[corners[k + 1]] - mesh.vertices[corners[0]];
-        changes.col(k) = growth[corners[k + 1]] - growth[corners[0]];
-    }
-    return changes * edges.inverse();
-}
-
 /// Rate of the area vector (m^2 per m) of a face whose vertices grow.
 Eigen::Vector3d area_rate(const std::array<int, 3>& face, const Vectors& x, const Vectors& q) {
     const auto [a, b, c] = face;
@@ -93,6 +82,16 @@ double domain_integral(const EquilibriumProblem& problem, const EquilibriumSyste
 }
 
 }  // namespace
+
+Eigen::Matrix3d growth_gradient(const mesh::TetMesh& mesh, int tet, const Vectors& growth) {
+    const auto& corners = mesh.tets[tet];
+    Eigen::Matrix3d edges, changes;
+    for (int k = 0; k < 3; ++k) {
+        edges.col(k) = mesh.vertices[corners[k + 1]] - mesh.vertices[corners[0]];
+        changes.col(k) = growth[corners[k + 1]] - growth[corners[0]];
+    }
+    return changes * edges.inverse();
+}
 
 double crack_width(const mesh::TetMesh& mesh, const CrackExtension& extension) {
     return width_of(mesh, extension.crack_surface, vertex_growth(mesh, extension));

@@ -40,4 +40,7 @@ double energy_release_by_solving(const EquilibriumProblem& problem, const Equili
 /// Area (m^2) the crack gains per metre of growth: half the change of the lips' area. Exact for plane cracks.
 double crack_width(const mesh::TetMesh& mesh, const CrackExtension& extension);
 
+/// Gradient dq_a/dx_b in a tet of a growth given at the vertices, linear in between.
+Eigen::Matrix3d growth_gradient(const mesh::TetMesh& mesh, int tet, const std::vector<Eigen::Vector3d>& growth);
+
 }  // namespace cleave::elasticity

@@ -1,7 +1,9 @@
-#include "solver/elasticity/energy_release.hpp"
+#include "solver/elasticity/stress_intensity.hpp"
+#include "solver/fracture/crack_tip.hpp"
 #include "solver/input/input_error.hpp"
 #include "solver/mesh/check.hpp"
 #include "solver/mesh/msh_file.hpp"
+#include "validation/adapters/crack_station.hpp"
 #include "validation/adapters/particle_bodies.hpp"
 #include "validation/adapters/sources.hpp"
 #include "validation/solutions.hpp"
@@ -106,6 +108,15 @@ public:
         if (quantity == "crack_opening") return crack_opening();
         throw InputError(of_.file, quantity, "a quantity that sph.conforming has");
     }
+    double at_front(const std::string& quantity, const std::string& component, const Point& place) const override {
+        const Station& at = station(place);
+        if (quantity == "energy_release_rate_at") return at.domain;
+        if (at.station.front.loop > 0) throw std::invalid_argument("a straight front for the stress intensities of sph.conforming");
+        if (quantity == "energy_release_rate_from_k") return at.intensities.energy_release;
+        if (quantity == "energy_release_gap") return std::abs(at.intensities.energy_release / at.domain - 1);
+        if (quantity == "crack_direction") return component == "hoop_size" ? std::abs(direction(at, "hoop")) : direction(at, component);
+        return at.intensities.k[component == "II" ? 0 : component == "I" ? 1 : 2];
+    }
     Resolution resolution() const override { return {size_, static_cast<long>(samples_.size()), 3 * static_cast<long>(samples_.size())}; }
     const elasticity::EquilibriumReport& report() const { return solution_.report; }
 
@@ -151,30 +162,61 @@ private:
         return std::max(force.norm() / size_of_force, moment.norm() / size_of_moment);
     }
 
-    geometry::CrackGrowth crack() const {
-        const auto growth = of_.shape->crack_growth();
-        if (!growth) throw InputError(of_.file, "geometry.shape", "a body with a crack");
-        return *growth;
+    struct Station {
+        CrackStation station;
+        double domain = 0;
+        elasticity::StressIntensities intensities;
+    };
+
+    const Station& station(const Point& place) const {
+        const auto found = stations_.find(place);
+        if (found != stations_.end()) return found->second;
+        Station result{station_near(*of_.shape, place), 0, {}};
+        const EquilibriumProblem problem = make_problem(of_, body_, mesh_);
+        const elasticity::CrackExtension extension = extend(result.station.growth);
+        result.domain = elasticity::energy_release(problem, options_, solution_, {extension}, growth_step()).front().by_domain_integral;
+        if (result.station.front.loop == 0) result.intensities = elasticity::stress_intensities(problem, solution_, straight_front(result.station), extension);
+        return stations_.emplace(place, result).first->second;
     }
+
+    static Eigen::Matrix3d axes_of(const CrackStation& station) {
+        Eigen::Matrix3d axes;
+        for (int k = 0; k < 3; ++k) axes.col(k) = eigen(station.place.axes[k]);
+        return axes;
+    }
+    static elasticity::StraightFront straight_front(const CrackStation& station) { return {eigen(station.place.position), axes_of(station)}; }
+
+    double direction(const Station& at, const std::string& criterion) const {
+        using enum fracture::TipCriterion;
+        const Eigen::Vector3d& k = at.intensities.k;
+        const auto toughness = fracture::Toughness::weak_plane(1, eigen(of_.toughness.weak_normal), of_.toughness.ratio);
+        return fracture::kink_direction(solution_.body->solid.of(0), axes_of(at.station), {.I = k[1], .II = k[0], .III = k[2]},
+                                        criterion == "hoop" ? hoop : criterion == "energy" ? energy : weighted_hoop, toughness)
+            .angle;
+    }
+
+    elasticity::CrackExtension extend(const std::function<Point(const Point&)>& growth) const {
+        return {body_.surfaces.at(of_.shape->crack_fronts().front().lips), [growth](const Eigen::Vector3d& x) { return eigen(growth(plain(x))); }};
+    }
+    double growth_step() const { return 1e-3 * of_.shape->crack_fronts().front().reach; }
 
     const elasticity::EnergyRelease& energy_release() const {
         if (release_) return *release_;
-        const geometry::CrackGrowth growth = crack();
-        const elasticity::CrackExtension extension{body_.surfaces.at(growth.surface),
-                                                   [growth](const Eigen::Vector3d& x) { return eigen(growth.growth(plain(x))); }};
-        release_ = elasticity::energy_release(make_problem(of_, body_, mesh_), options_, solution_, {extension}, growth.step).front();
+        const elasticity::CrackExtension extension = extend(whole_growth(*of_.shape));
+        release_ = elasticity::energy_release(make_problem(of_, body_, mesh_), options_, solution_, {extension}, growth_step()).front();
         return *release_;
     }
 
     /// Mean over the lips within 0.3 radii of the centre, each face scaled by the ellipse sqrt(1 - r^2/a^2) it should lie on.
     double crack_opening() const {
-        const geometry::CrackGrowth growth = crack();
+        const Eigen::Vector3d normal = eigen(station_near(*of_.shape, {}).place.axes[1]);
         const double a = of_.shape->length("crack_radius");
+        const int lips = body_.surfaces.at(of_.shape->crack_fronts().front().lips);
         std::array<double, 2> sum{}, weight{};  // lips by the side their normal points to
         for (const elasticity::BoundaryTrace& face : solution_.boundary) {
             const double r = face.position.norm();
-            if (face.surface != body_.surfaces.at(growth.surface) || r > 0.3 * a) continue;
-            const std::size_t lip = face.normal.dot(eigen(growth.normal)) > 0 ? 0 : 1;
+            if (face.surface != lips || r > 0.3 * a) continue;
+            const std::size_t lip = face.normal.dot(normal) > 0 ? 0 : 1;
             sum[lip] -= face.area * face.displacement.dot(face.normal) / std::sqrt(1 - r * r / (a * a));
             weight[lip] += face.area;
         }
@@ -189,6 +231,7 @@ private:
     elasticity::EquilibriumSolution solution_;
     mutable std::optional<elasticity::EnergyRelease> release_;  // asked for twice, evaluated once
     Samples samples_;
+    mutable std::map<Point, Station> stations_;
 };
 
 }  // namespace

@@ -1,16 +1,10 @@
-#include "reference_fem/elasticity.hpp"
 #include "reference_fem/vtu.hpp"
 #include "solver/input/input_error.hpp"
-#include "solver/mesh/msh_file.hpp"
+#include "validation/adapters/fem_crack.hpp"
 #include "validation/adapters/fem_problem.hpp"
 #include "validation/adapters/sources.hpp"
 
-#include <fmt/format.h>
-
-#include <unistd.h>
-
 #include <cmath>
-#include <filesystem>
 
 namespace cleave::validation {
 
@@ -28,40 +22,11 @@ Samples gather(const std::vector<fem::FieldSample>& list) {
     return samples;
 }
 
-/// The mesh with its vertices moved by `distance` times the growth, as a file of its own beside the mesh; removed again.
-class MovedMesh {
-public:
-    MovedMesh(const geometry::Body& body, const geometry::CrackGrowth& growth, double distance) : body_(body) {
-        mesh::TetMesh mesh = mesh::read_msh(body.mesh_file);
-        for (Eigen::Vector3d& x : mesh.vertices) {
-            const Point q = growth.growth({x[0], x[1], x[2]});
-            x += distance * Eigen::Vector3d(q[0], q[1], q[2]);
-        }
-        body_.mesh_file += fmt::format(".moved{}.msh", ::getpid());
-        mesh::write_msh(mesh, body_.mesh_file);
-    }
-    ~MovedMesh() {
-        std::error_code ignored;
-        std::filesystem::remove(body_.mesh_file, ignored);
-    }
-    MovedMesh(const MovedMesh&) = delete;
-    MovedMesh& operator=(const MovedMesh&) = delete;
-    const geometry::Body& body() const { return body_; }
-
-private:
-    geometry::Body body_;
-};
-
-bool holds_only(const Case& of) {
-    for (const SurfaceLoad& load : of.loads)
-        if (load.kind == SurfaceLoad::Kind::displacement && (load.solution || load.vector != std::array<double, 3>{})) return false;
-    return true;
-}
-
 class FemSource final : public FieldSource {
 public:
     FemSource(const Case& of, const geometry::Body& body, const fem::Options& options, fem::Solution solution, double size)
-        : of_(of), body_(body), options_(options), solution_(std::move(solution)), size_(size), samples_(gather(solution_.quadrature_samples(3))) {}
+        : of_(of), body_(body), options_(options), solution_(std::move(solution)), size_(size), samples_(gather(solution_.quadrature_samples(3))),
+          crack_(of, body, [&of](const geometry::Body& moved) { return fem_problem(of, moved); }, solution_, options) {}
 
     const Samples& everywhere() const override { return samples_; }
     Samples at(const std::vector<Point>& points) const override { return gather(solution_.recovered_at(points)); }
@@ -71,38 +36,24 @@ public:
         if (quantity == "external_work") return solution_.external_work();
         if (quantity == "residual") return solution_.record().relative_residual;
         if (quantity == "estimated_error") return solution_.estimated_error();
-        if (quantity == "energy_release_rate") return energy_release_rate();
+        if (quantity == "energy_release_rate") return crack_.energy_release_rate();
+        if (quantity == "energy_release_rate_domain") return crack_.energy_release_rate_domain();
         if (quantity == "crack_opening") return crack_opening();
         throw InputError(of_.file, quantity, "a quantity that finite elements have");
+    }
+    double at_front(const std::string& quantity, const std::string& component, const Point& place) const override {
+        return crack_.at_front(quantity, component, place);
     }
     std::string vtu() const override { return fem::vtu_text(solution_); }
     Resolution resolution() const override { return {size_, solution_.record().cells, solution_.record().dofs}; }
 
 private:
-    geometry::CrackGrowth crack() const {
-        const auto growth = of_.shape->crack_growth();
-        if (!growth) throw InputError(of_.file, "geometry.shape", "a body with a crack");
-        return *growth;
-    }
-
-    /// G = dU/dA at fixed load (Irwin 1956), by a central difference of two solves on moved vertices: no re-meshing, so the mesh's own
-    /// error cancels. Prescribed displacements must be zero: then the potential energy is -U.
-    double energy_release_rate() const {
-        if (!holds_only(of_)) throw InputError(of_.file, "load.displacement", "zero displacements beside an energy release rate of the FEM");
-        const geometry::CrackGrowth growth = crack();
-        const auto energy_at = [&](double distance) {
-            const MovedMesh moved(body_, growth, distance);
-            return fem::solve(fem_problem(of_, moved.body()), options_).energy();
-        };
-        return (energy_at(growth.step) - energy_at(-growth.step)) / (2 * growth.step * growth.front_length);
-    }
-
     /// Mean over the lips' vertices within 0.3 radii of the centre, scaled by the ellipse sqrt(1 - r^2/a^2) they should lie on.
     double crack_opening() const {
-        const geometry::CrackGrowth growth = crack();
+        const Point normal = station_near(*of_.shape, {}).place.axes[1];
         const double a = of_.shape->length("crack_radius");
         const std::vector<Point> x = solution_.vertices(), u = solution_.vertex_displacements();
-        const auto dot = [&](const Point& p) { return p[0] * growth.normal[0] + p[1] * growth.normal[1] + p[2] * growth.normal[2]; };
+        const auto dot = [&](const Point& p) { return p[0] * normal[0] + p[1] * normal[1] + p[2] * normal[2]; };
         std::array<double, 2> sum{}, count{};
         for (std::size_t i = 0; i < x.size(); ++i) {
             const double r = std::hypot(x[i][0], x[i][1], x[i][2]);
@@ -120,6 +71,7 @@ private:
     fem::Solution solution_;
     double size_;
     Samples samples_;
+    FemCrack crack_;
 };
 
 }  // namespace

@@ -19,6 +19,9 @@ struct Field {
     std::function<Voigt(const Point&)> stress;        ///< Pa
     std::function<Point(const Point&)> body_force;    ///< N/m^3; empty where there is none
     std::map<std::string, double> scalars;            ///< quantities of the whole body, SI, by name; solutions without fields have only these
+    /// Cracks: (quantity, component, place) -> value at the place of the front nearest to a point, SI. Throws std::invalid_argument for a
+    /// quantity it does not have.
+    std::function<double(const std::string&, const std::string&, const Point&)> at_front;
     std::string source;                               ///< literature, for the report
 };
 

@@ -1,5 +1,7 @@
 #include "validation/analytic/lekhnitskii_hole.hpp"
 
+#include "validation/analytic/polynomial_roots.hpp"
+
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -32,26 +34,12 @@ void require_plane_of_symmetry(const Stiffness& c) {
                 throw std::invalid_argument("a material with z = 0 as a plane of elastic symmetry (C_i4 = C_i5 = 0)");
 }
 
-/// Roots with Im > 0 of a11 m^4 - 2 a16 m^3 + (2 a12 + a66) m^2 - 2 a26 m + a22 = 0, by Durand and Kerner's iteration.
+/// Roots with Im > 0 of a11 m^4 - 2 a16 m^3 + (2 a12 + a66) m^2 - 2 a26 m + a22 = 0.
 std::array<Complex, 2> characteristic_roots(const Plane& a) {
-    const std::array<double, 4> b{-2 * a[0][2] / a[0][0], (2 * a[0][1] + a[2][2]) / a[0][0], -2 * a[1][2] / a[0][0], a[1][1] / a[0][0]};
-    std::array<Complex, 4> roots;
-    for (std::size_t k = 0; k < 4; ++k) roots[k] = std::pow(Complex(0.4, 0.9), static_cast<double>(k)) * std::pow(b[3], 0.25);
-    for (int sweep = 0; sweep < 500; ++sweep)
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Complex m = roots[k];
-            Complex value = (((m + b[0]) * m + b[1]) * m + b[2]) * m + b[3];
-            for (std::size_t other = 0; other < 4; ++other)
-                if (other != k) value /= m - roots[other];
-            roots[k] -= value;
-        }
-    std::array<Complex, 2> upper{};
-    std::size_t found = 0;
-    for (const Complex& root : roots)
-        if (root.imag() > 0 && found < 2) upper[found++] = root;
-    if (found != 2 || std::abs(upper[0] - upper[1]) < 1e-4 * std::abs(upper[0]))
+    const auto upper = upper_roots({a[1][1], -2 * a[1][2], 2 * a[0][1] + a[2][2], -2 * a[0][2], a[0][0]});
+    if (upper.size() != 2 || std::abs(upper[0] - upper[1]) < 1e-4 * std::abs(upper[0]))
         throw std::invalid_argument("a material whose characteristic roots differ (isotropy in the plane: perturb C by 1e-6)");
-    return upper;
+    return {upper[0], upper[1]};
 }
 
 /// The potentials Phi_k = A_k / zeta_k with z_k = x + mu_k y = (a/2) [(1 - i mu_k) zeta_k + (1 + i mu_k) / zeta_k].

@@ -53,17 +53,13 @@ public:
         if (key == "load_radius") return octant_.load_radius;
         throw std::invalid_argument(fmt::format("one of crack_radius, half_width, load_radius (not '{}')", key));
     }
-    /// Radial growth of the front, fading to zero at 0.6 radii from it. A quarter of the crack belongs to two octants, one on each lip: the
-    /// front's length counts half.
-    std::optional<CrackGrowth> crack_growth() const override {
-        const Octant octant = octant_;
-        const double a = octant.crack_radius;
-        const auto growth = [octant, a](const validation::Point& p) -> validation::Point {
-            const double share = 1 - octant.distance_to_front(p[0], p[1], p[2]) / (0.6 * a), r = std::hypot(p[0], p[1]);
-            if (share <= 0) return {0, 0, 0};
-            return {share * p[0] / r, share * p[1] / r, 0};
-        };
-        return CrackGrowth{"lips", growth, std::numbers::pi * a / 4, 1e-3 * a, {0, 0, 1}};
+    /// A quarter of the crack belongs to two octants, one on each lip: its area counts half.
+    std::vector<CrackFront> crack_fronts() const override {
+        const auto& [w, a, c] = octant_;
+        CrackFront front = elliptical_front({{}, {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}, a, a, std::numbers::pi / 2}, 0.6 * a);
+        front.lips = names[lips - 1];
+        front.box = {Point{0, 0, 0}, Point{w, w, w}};
+        return {front};
     }
     bool uniform_refinement() const override { return false; }
     std::vector<std::string> surface_names() const override { return names; }

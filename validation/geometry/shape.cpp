@@ -5,9 +5,10 @@
 #include "validation/geometry/imported.hpp"
 #include "validation/geometry/laminate_block.hpp"
 #include "validation/geometry/layered_strip.hpp"
-#include "validation/geometry/penny_crack_block.hpp"
 #include "validation/geometry/penny_octant.hpp"
 #include "validation/geometry/plate_with_hole.hpp"
+#include "validation/geometry/round_cracks.hpp"
+#include "validation/geometry/straight_cracks.hpp"
 
 #include <fmt/format.h>
 
@@ -28,7 +29,12 @@ const std::vector<Entry>& entries() {
                                          {penny_crack_block_info(), read_penny_crack_block},
                                          {elliptic_plate_info(), read_elliptic_plate},
                                          {layered_strip_info(), read_layered_strip},
-                                         {penny_octant_info(), read_penny_octant}};
+                                         {penny_octant_info(), read_penny_octant},
+                                         {elliptical_crack_block_info(), read_elliptical_crack_block},
+                                         {cap_crack_block_info(), read_cap_crack_block},
+                                         {corner_crack_block_info(), read_corner_crack_block},
+                                         {through_crack_block_info(), read_through_crack_block},
+                                         {edge_crack_block_info(), read_edge_crack_block}};
     return list;
 }
 

@@ -2,12 +2,12 @@
 
 #include "solver/input/table_reader.hpp"
 #include "validation/expression.hpp"
+#include "validation/geometry/crack_front.hpp"
 
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,15 +20,6 @@ struct Body {
     std::map<std::string, int> regions;   ///< name -> physical volume tag
 };
 
-/// How the crack of a body grows as a whole: for energy release rates by moved vertices.
-struct CrackGrowth {
-    std::string surface;                                                       ///< of the lips
-    std::function<validation::Point(const validation::Point&)> growth;         ///< m per m of growth; zero away from the front
-    double front_length = 0;                                                   ///< m: crack area gained per metre of growth
-    double step = 0;                                                           ///< m, suitable for a central difference
-    validation::Point normal{};                                                ///< of the crack's plane
-};
-
 /// A parametrised body.
 class Shape {
 public:
@@ -39,8 +30,8 @@ public:
     virtual validation::Coordinates coordinates() const = 0;
     /// A length of the shape by its key, for `relative_to` and analytic solutions. Throws std::invalid_argument.
     virtual double length(const std::string& key) const = 0;
-    /// The crack's growth; none for bodies without a crack.
-    virtual std::optional<CrackGrowth> crack_growth() const { return std::nullopt; }
+    /// Fronts of the crack; none for bodies without one. All have the same lips.
+    virtual std::vector<CrackFront> crack_fronts() const { return {}; }
     /// True where a smaller size refines every part of the mesh alike, so that an observed order means something.
     virtual bool uniform_refinement() const = 0;
     /// Files that the body is made from: a change of theirs is a change of the case.

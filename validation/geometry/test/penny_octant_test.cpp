@@ -40,13 +40,14 @@ TEST(PennyOctant, SurfacesSplitItsCrackPlane) {
     for (const char* side : {"left", "right", "front", "back", "top"}) EXPECT_NEAR(area.at(body.surfaces.at(side)), 64, 1e-9) << side;
 }
 
-/// A quarter of the front, and two octants to a piece of crack: the area gained counts half. Nothing moves on the core or on the outside.
+/// A quarter of the front. Nothing moves on the core or on the outside.
 TEST(PennyOctant, GrowthOfTheFront) {
-    const CrackGrowth growth = *octant()->crack_growth();
-    EXPECT_DOUBLE_EQ(growth.front_length, std::numbers::pi * 2 / 4);
-    EXPECT_NEAR(growth.growth({std::sqrt(2.0), std::sqrt(2.0), 0})[0], std::sqrt(0.5), 1e-12);
-    EXPECT_EQ(growth.growth({0.5, 0, 0})[0], 0);
-    EXPECT_EQ(growth.growth({8, 1, 1})[0], 0);
+    const CrackFront front = octant()->crack_fronts().at(0);
+    EXPECT_EQ(front.lips, "lips");
+    EXPECT_NEAR(front.length, std::numbers::pi, 1e-6);  // of its polygon of 3600 sides a turn
+    EXPECT_NEAR(uniform_growth(front, {std::sqrt(2.0), std::sqrt(2.0), 0})[0], std::sqrt(0.5), 1e-12);
+    EXPECT_EQ(uniform_growth(front, {0.5, 0, 0})[0], 0);
+    EXPECT_EQ(uniform_growth(front, {8, 1, 1})[0], 0);
 }
 
 }  // namespace

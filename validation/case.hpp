@@ -136,6 +136,8 @@ struct Case {
     std::vector<Check> checks;
     std::vector<Profile> profiles;
     std::string text;                               ///< the file with overrides, for fingerprints
+    std::string command;                            ///< that runs it again, for the report
+    std::size_t position = 0;                       ///< among all cases of the run, before it was split into shards
 
     const std::vector<double>& sizes(const std::string& level) const;
     [[noreturn]] void fail(const std::string& key, const std::string& expected) const;

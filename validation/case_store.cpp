@@ -1,17 +1,41 @@
 #include "validation/case_store.hpp"
 
 #include "solver/input/file_io.hpp"
+#include "solver/input/input_error.hpp"
 #include "validation/results_json.hpp"
 #include "validation/runner.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace cleave::validation {
 
+namespace {
+
+constexpr const char* schema = "cleave.case/1";
+
+FinishedCase finished_of(const Json& json) {
+    FinishedCase finished{case_of(json.at("result")), json.at("seconds"), {}, json.at("position")};
+    for (const Json& note : json.at("solves")) finished.solves.push_back(note_of(note));
+    return finished;
+}
+
+}  // namespace
+
+std::filesystem::path finished_case_file(const std::filesystem::path& out, const std::string& case_name) {
+    return out / "cases" / (artifact_folder(case_name) + ".json");
+}
+
+FinishedCase read_finished_case(const std::filesystem::path& file) try {
+    const Json json = Json::parse(read_file(file));
+    if (json.at("schema") != schema) throw InputError(file.string(), "schema", fmt::format("\"{}\"", schema));
+    return finished_of(json);
+} catch (const nlohmann::json::exception&) {
+    throw InputError(file.string(), "", "a finished case, as cleave validate writes it");
+}
+
 CaseStore::CaseStore(std::filesystem::path out, std::string level)
     : out_(std::move(out)), level_(std::move(level)), program_(content_hash(read_file("/proc/self/exe"))) {}
-
-std::filesystem::path CaseStore::file(const Case& of) const { return out_ / "cases" / (artifact_folder(of.name) + ".json"); }
 
 std::string CaseStore::fingerprint(const Case& of) const {
     std::string inputs = program_ + "\n" + level_ + "\n" + of.name + "\n" + of.text;
@@ -21,18 +45,23 @@ std::string CaseStore::fingerprint(const Case& of) const {
 }
 
 void CaseStore::save(const Case& of, const FinishedCase& finished) const {
-    Json json{{"schema", "cleave.case/1"}, {"fingerprint", fingerprint(of)}, {"seconds", finished.seconds},
+    Json json{{"schema", schema}, {"fingerprint", fingerprint(of)}, {"position", of.position}, {"seconds", finished.seconds},
               {"result", case_json(finished.result)}, {"solves", Json::array()}};
     for (const SolveNote& note : finished.solves) json["solves"].push_back(note_json(note));
-    write_file_atomic(file(of), json.dump(1) + "\n");
+    write_file_atomic(finished_case_file(out_, of.name), json.dump(1) + "\n");
 }
 
 std::optional<FinishedCase> CaseStore::find(const Case& of) const try {
-    if (!std::filesystem::exists(file(of))) return std::nullopt;
-    const Json json = Json::parse(read_file(file(of)));
-    if (json.at("schema") != "cleave.case/1" || json.at("fingerprint") != fingerprint(of)) return std::nullopt;
-    FinishedCase finished{case_of(json.at("result")), json.at("seconds"), {}};
-    for (const Json& note : json.at("solves")) finished.solves.push_back(note_of(note));
+    const std::filesystem::path file = finished_case_file(out_, of.name);
+    if (!std::filesystem::exists(file)) return std::nullopt;
+    Json json = Json::parse(read_file(file));
+    if (json.at("schema") != schema || json.at("fingerprint") != fingerprint(of)) return std::nullopt;
+    if (json.at("position") != of.position) {  // of a run over other cases
+        json["position"] = of.position;
+        write_file_atomic(file, json.dump(1) + "\n");
+    }
+    FinishedCase finished = finished_of(json);
+    finished.result.command = of.command;
     for (const Row& row : finished.result.rows)
         for (const Artifact& artifact : row.artifacts)
             if (!std::filesystem::exists(out_ / artifact.file)) return std::nullopt;
@@ -41,6 +70,6 @@ std::optional<FinishedCase> CaseStore::find(const Case& of) const try {
     return std::nullopt;  // not one of ours, or of another version: the case runs again
 }
 
-void CaseStore::remove(const Case& of) const { std::filesystem::remove(file(of)); }
+void CaseStore::remove(const Case& of) const { std::filesystem::remove(finished_case_file(out_, of.name)); }
 
 }  // namespace cleave::validation

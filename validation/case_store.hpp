@@ -13,9 +13,10 @@ namespace cleave::validation {
 
 /// What one finished case left: its rows, and what it cost.
 struct FinishedCase {
-    CaseResult result;  ///< without the command, which depends on how it was called
+    CaseResult result;
     double seconds = 0;
     std::vector<SolveNote> solves;
+    std::size_t position = 0;  ///< among all cases of the run, before it was split into shards
 };
 
 /// Finished cases as files, OUT/cases/NAME.json, each written whole: what several processes of one run leave for their parent, and what a later
@@ -28,11 +29,16 @@ public:
     void remove(const Case& of) const;
 
 private:
-    std::filesystem::path file(const Case& of) const;
     std::string fingerprint(const Case& of) const;
 
     std::filesystem::path out_;
     std::string level_, program_;
 };
+
+/// Reads one file of a store, whatever its fingerprint. Throws InputError where it is none.
+FinishedCase read_finished_case(const std::filesystem::path& file);
+
+/// The file of a case in the folder of a run.
+std::filesystem::path finished_case_file(const std::filesystem::path& out, const std::string& case_name);
 
 }  // namespace cleave::validation

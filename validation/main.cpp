@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "validation/merge.hpp"
 #include "validation/run_suite.hpp"
 #include "validation/suite.hpp"
 #include "validation/timings.hpp"
@@ -15,7 +16,7 @@ namespace cleave::validation {
 namespace {
 
 struct Arguments {
-    std::vector<std::string> names, sets;
+    std::vector<std::string> names, sets, from;
     std::string level = "quick", ladder, out = "out/validate", shard, compare;
     bool list = false, reuse = false;
     int jobs = 1;
@@ -32,6 +33,14 @@ Overrides overrides_of(const Arguments& arguments) {
     return overrides;
 }
 
+std::string command_of(const Case& one, const Arguments& arguments) {
+    std::string command = "cleave validate " + std::filesystem::path(one.file).stem().string();
+    if (one.file.find(CLEAVE_CASE_FOLDER) != 0) command = "cleave validate " + std::filesystem::path(one.file).filename().string();
+    for (const std::string& text : arguments.sets) command += fmt::format(" --set '{}'", text);
+    if (!arguments.ladder.empty()) command += " --ladder " + arguments.ladder;
+    return command + " --level " + arguments.level;
+}
+
 /// Everything is read before anything runs: a mistake in the last file costs no computing.
 std::vector<Case> read_all(const Arguments& arguments) {
     std::vector<Case> cases;
@@ -40,15 +49,11 @@ std::vector<Case> read_all(const Arguments& arguments) {
     for (std::size_t i = 0; i < cases.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (cases[i].name == cases[j].name) throw InputError(cases[i].file, "name", fmt::format("a name of its own ('{}' is also in {})", cases[i].name, cases[j].file));
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        cases[i].position = i;
+        cases[i].command = command_of(cases[i], arguments);
+    }
     return arguments.shard.empty() ? cases : shard(cases, arguments.shard);
-}
-
-std::string command_of(const Case& one, const Arguments& arguments) {
-    std::string command = "cleave validate " + std::filesystem::path(one.file).stem().string();
-    if (one.file.find(CLEAVE_CASE_FOLDER) != 0) command = "cleave validate " + std::filesystem::path(one.file).filename().string();
-    for (const std::string& text : arguments.sets) command += fmt::format(" --set '{}'", text);
-    if (!arguments.ladder.empty()) command += " --ladder " + arguments.ladder;
-    return command + " --level " + arguments.level;
 }
 
 void print(const CaseResult& result) {
@@ -64,26 +69,36 @@ void print(const CaseResult& result) {
     std::fflush(stdout);
 }
 
-int run(const Arguments& arguments) {
-    const std::vector<Case> cases = read_all(arguments);
+/// Everything but provenance.json, which a merged run has one of per folder.
+int write_results(const std::vector<FinishedCase>& cases, const std::string& level, const Arguments& arguments) {
     std::vector<CaseResult> results;
     Timings timings;
-    run_suite(cases, {arguments.level, arguments.out, arguments.jobs, arguments.reuse}, [&](std::size_t i, FinishedCase& finished) {
-        finished.result.command = command_of(cases[i], arguments);
-        timings.add(cases[i].name, finished.seconds, finished.solves);
-        print(finished.result);
-        results.push_back(finished.result);
-    });
+    for (const FinishedCase& one : cases) {
+        results.push_back(one.result);
+        timings.add(one.result.name, one.seconds, one.solves);
+    }
     const std::filesystem::path out = arguments.out;
     write_file_atomic(out / "timings.json", timings.json());
-    write_file_atomic(out / "provenance.json", provenance_json(arguments.level));
     write_file_atomic(out / "results.csv", results_csv(results));
     write_file_atomic(out / "junit.xml", junit_xml(results));
-    write_file_atomic(out / "results.json", results_json(results, arguments.level));
+    write_file_atomic(out / "results.json", results_json(results, level));
     if (!arguments.compare.empty()) fmt::print("{}", drift(results, arguments.compare));
     const Counts counts = count(results);
     fmt::print("{} passed, {} failed, {} info\n", counts.pass, counts.fail, counts.info);
     return static_cast<int>(counts.fail > 0 ? ExitCode::missed : ExitCode::ok);
+}
+
+int run(const Arguments& arguments) {
+    const std::vector<FinishedCase> finished =
+        run_suite(read_all(arguments), {arguments.level, arguments.out, arguments.jobs, arguments.reuse},
+                  [](std::size_t, FinishedCase& one) { print(one.result); });
+    write_file_atomic(std::filesystem::path(arguments.out) / "provenance.json", provenance_json(arguments.level));
+    return write_results(finished, arguments.level, arguments);
+}
+
+int merge(const Arguments& arguments) {
+    const MergedRun merged = merge_runs({arguments.from.begin(), arguments.from.end()}, arguments.out);
+    return write_results(merged.cases, merged.level, arguments);
 }
 
 int body(int argc, char** argv) {
@@ -97,6 +112,7 @@ int body(int argc, char** argv) {
     app.add_option("--jobs", arguments.jobs, "cases that run at the same time")->check(CLI::Range(1, 1024));
     app.add_flag("--reuse", arguments.reuse, "keep the finished cases of an earlier, perhaps interrupted, run into the same folder");
     app.add_option("--shard", arguments.shard, "I/N: every N-th case, starting with the I-th");
+    app.add_option("--from", arguments.from, "folders of shards: run nothing, put their results together");
     app.add_option("--compare", arguments.compare, "an earlier results.json: print what drifted");
     app.add_flag("--list", arguments.list, "cases, shapes, solutions, solvers, quantities");
     try {
@@ -113,7 +129,7 @@ int body(int argc, char** argv) {
         return 0;
     }
     try {
-        return run(arguments);
+        return arguments.from.empty() ? run(arguments) : merge(arguments);
     } catch (const SuiteFailed& failed) {
         return failed.exit_code;
     }

@@ -45,7 +45,8 @@ private:
 FinishedCase run_one(const Case& of, const SuiteOptions& options, Progress& progress) {
     const auto start = Clock::now();
     CaseRun run = run_case(of, {options.level, options.out, [&](const std::string& line) { progress.step(line); }});
-    return {std::move(run.result), seconds_since(start), std::move(run.solves)};
+    run.result.command = of.command;
+    return {std::move(run.result), seconds_since(start), std::move(run.solves), of.position};
 }
 
 /// Numbers of the cases that must run.

@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "validation/merge.hpp"
 #include "validation/processes.hpp"
 
 #include <gtest/gtest.h>
@@ -112,6 +113,39 @@ TEST_F(RunSuite, OneFailureIsTheExitCodeOfAll) {
         EXPECT_EQ(failed.exit_code, 2);
     }
     EXPECT_THROW(json(cases, 1, false), InputError);
+}
+
+/// The folder of a run over some of the cases, as the program writes it.
+void write_shard(const std::vector<Case>& all, std::size_t index, std::size_t number, const fs::path& out) {
+    std::vector<Case> own;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (i % number == index) own.push_back(all[i]);
+    std::vector<CaseResult> results;
+    run_suite(own, {"quick", out, 1, false}, [&](std::size_t, FinishedCase& one) { results.push_back(one.result); });
+    write_file_atomic(out / "results.json", results_json(results, "quick"));
+}
+
+TEST_F(RunSuite, MergedShardsAreTheUnsplitRunToTheByte) {
+    std::vector<Case> cases = five();
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        cases[i].position = i;
+        cases[i].command = "cleave validate " + cases[i].name;
+    }
+    const std::string whole = json(cases, 1, false);
+    std::vector<fs::path> folders;
+    for (std::size_t k = 0; k < 3; ++k) {
+        folders.push_back(out_ / ("shard" + std::to_string(k)));
+        write_shard(cases, k, 3, folders.back());
+    }
+    std::reverse(folders.begin(), folders.end());
+    const MergedRun merged = merge_runs(folders, out_ / "merged");
+    std::vector<CaseResult> results;
+    for (const FinishedCase& one : merged.cases) results.push_back(one.result);
+    EXPECT_EQ(results_json(results, merged.level), whole);
+
+    folders.push_back(folders.front());
+    EXPECT_THROW(merge_runs(folders, out_ / "merged"), InputError) << "a case twice";
+    EXPECT_THROW(merge_runs({out_ / "nowhere"}, out_ / "merged"), InputError);
 }
 
 TEST(Processes, AnEndBySignalIsABug) {

@@ -1,11 +1,11 @@
 #include "benchmarks/json_reporter.hpp"
 #include "solver/input/file_io.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -19,9 +19,6 @@ namespace {
 /// A folder of this process alone, removed with it.
 class Program : public testing::Test {
 protected:
-    Program() { std::filesystem::create_directories(folder_); }
-    ~Program() override { std::filesystem::remove_all(folder_); }
-
     struct Outcome {
         int code;
         std::string out, error;
@@ -32,7 +29,7 @@ protected:
         return {WEXITSTATUS(status), read_file(out), read_file(error)};
     }
 
-    std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / ("cleave_bench_test_" + std::to_string(::getpid()));
+    ScratchFolder folder_;
 };
 
 TEST_F(Program, EveryBenchmarkRunsOnceAndCountsItsWork) {

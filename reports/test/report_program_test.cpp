@@ -1,8 +1,7 @@
 #include "solver/input/file_io.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -15,11 +14,7 @@ namespace fs = std::filesystem;
 /// Runs the program itself: exit codes and what is left on disk are its contract with the launcher.
 class ReportProgram : public testing::Test {
 protected:
-    void SetUp() override { folder_ = fs::temp_directory_path() / ("cleave-report-test-" + std::to_string(::getpid())); }
-    void TearDown() override { fs::remove_all(folder_); }
-
     int run(const std::string& arguments) const {
-        fs::create_directories(folder_);
         const std::string command = std::string(CLEAVE_REPORT_PROGRAM) + " " + arguments + " >" + in("stdout") + " 2>" + in("stderr");
         return WEXITSTATUS(std::system(command.c_str()));
     }
@@ -31,7 +26,7 @@ protected:
     std::string message() const { return cleave::read_file(in("stderr")); }
     bool wrote_nothing() const { return !fs::exists(in("out")) || fs::is_empty(in("out")); }
 
-    fs::path folder_;
+    cleave::ScratchFolder folder_;
 };
 
 TEST_F(ReportProgram, WritesPageAndSummary) {

@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +13,8 @@ using namespace cleave::reports;
 
 class SceneFiles : public testing::Test {
 protected:
-    void SetUp() override { fs::remove_all(folder_); }
-    void TearDown() override { fs::remove_all(folder_); }
     void write(const std::string& name, const std::string& text) const { cleave::write_file_atomic(folder_ / "scenes" / name, text); }
-    fs::path folder_ = fs::path(testing::TempDir()) / "cleave_scene_files_test";
+    cleave::ScratchFolder folder_;
 };
 
 const std::string statistics = R"({"schema": "cleave.statistics/1"})";

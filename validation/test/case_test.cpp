@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 #include "validation/runner.hpp"
 #include "validation/suite.hpp"
 
@@ -36,8 +37,10 @@ band = { "fem.p2" = { relative = 1e-10 }, "sph.corrected" = { relative = 1e-9 } 
 basis = "exact"
 )";
 
+const ScratchFolder scratch;
+
 std::string write(const std::string& text) {
-    const std::string file = testing::TempDir() + "cleave_case_test.toml";
+    const std::string file = (scratch / "case.toml").string();
     write_file_atomic(file, text);
     return file;
 }
@@ -101,7 +104,7 @@ TEST(Case, MistakesAreNamed) {
         const std::string error = error_of(row.text);
         EXPECT_NE(error.find(row.expected), std::string::npos) << "expected: " << row.expected << "\n  got: " << error;
         EXPECT_EQ(error.find('\n'), std::string::npos) << error;
-        EXPECT_NE(error.find("cleave_case_test.toml"), std::string::npos) << error;
+        EXPECT_NE(error.find("case.toml"), std::string::npos) << error;
     }
 }
 
@@ -137,7 +140,7 @@ TEST(Case, ACheckForOneSizeEndsItsLadderThere) {
 
 TEST(Runner, ACheckForOneSizeIsJudgedThere) {
     RunOptions options;
-    options.out = testing::TempDir() + "cleave_runner_test";
+    options.out = scratch / "runner";
     const std::string particles_only = replaced("\"fem.p2\", \"sph.corrected\"]", "\"sph.corrected\"]");
     const auto run = [&](const std::string& more) {
         std::string text = particles_only;

@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -63,7 +64,8 @@ TEST(Results, CsvQuotesCells) {
 }
 
 TEST(Results, DriftIsToldAndSamenessToo) {
-    const std::string file = testing::TempDir() + "cleave_old_results.json";
+    const ScratchFolder folder;
+    const std::string file = (folder / "old_results.json").string();
     write_file_atomic(file, results_json(sample(0.005), "quick"));
     EXPECT_EQ(drift(sample(0.005), file), "3 rows unchanged\n");
     const std::string changed = drift(sample(0.02), file);

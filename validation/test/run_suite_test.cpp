@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 #include "validation/merge.hpp"
 #include "validation/processes.hpp"
 
@@ -61,8 +62,6 @@ std::vector<Case> five() {
 
 class RunSuite : public testing::Test {
 protected:
-    void SetUp() override { fs::remove_all(out_); }
-    void TearDown() override { fs::remove_all(out_); }
     std::string json(const std::vector<Case>& cases, int jobs, bool reuse) const {
         std::vector<CaseResult> results;
         std::vector<std::size_t> order;
@@ -77,7 +76,8 @@ protected:
         const fs::path log = out_ / (name + ".runs");
         return fs::exists(log) ? read_file(log) : "";
     }
-    fs::path out_ = fs::path(testing::TempDir()) / "cleave_run_suite_test";
+    ScratchFolder scratch_;
+    fs::path out_ = scratch_.path();
 };
 
 TEST_F(RunSuite, AnyNumberOfProcessesGivesTheSameBytes) {

@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 #include "validation/runner.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +58,8 @@ basis = "quadrature"
 )";
 
 std::vector<Case> read(const std::string& text) {
-    const std::string file = testing::TempDir() + "cleave_study_test.toml";
+    const ScratchFolder folder;
+    const auto file = folder / "study.toml";
     write_file_atomic(file, text);
     return read_cases(file, {});
 }

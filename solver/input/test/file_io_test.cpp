@@ -1,6 +1,7 @@
 #include "solver/input/file_io.hpp"
 
 #include "solver/input/input_error.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,7 @@ namespace cleave {
 namespace {
 
 TEST(FileIo, WritesWholeFilesAndLeavesNothingElse) {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "cleave_file_io";
-    std::filesystem::remove_all(folder);
+    const ScratchFolder folder;
     write_file_atomic(folder / "deep" / "a.txt", "first");
     write_file_atomic(folder / "deep" / "a.txt", "second");
     EXPECT_EQ(read_file(folder / "deep" / "a.txt"), "second");

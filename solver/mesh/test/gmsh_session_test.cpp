@@ -1,5 +1,6 @@
 #include "solver/mesh/gmsh_session.hpp"
 
+#include "solver/input/test/scratch_folder.hpp"
 #include "solver/mesh/check.hpp"
 #include "solver/mesh/msh_file.hpp"
 
@@ -7,7 +8,6 @@
 #include <gmsh.h>
 #include <gtest/gtest.h>
 
-#include <unistd.h>
 
 #include <stdexcept>
 
@@ -45,7 +45,8 @@ TEST(GmshSession, MeshesABoxThatPassesTheChecks) {
 }
 
 TEST(GmshSession, RepeatsToTheBitAndReadsBackFromItsOwnFile) {
-    const auto file = std::filesystem::path(testing::TempDir()) / ("cleave_gmsh_session_test" + std::to_string(::getpid()) + ".msh");
+    const ScratchFolder folder;
+    const auto file = folder / "box.msh";
     std::string first;
     {
         const GmshSession session;
@@ -61,7 +62,6 @@ TEST(GmshSession, RepeatsToTheBitAndReadsBackFromItsOwnFile) {
     EXPECT_EQ(from_file.region_names, in_memory.region_names);
     EXPECT_EQ(from_file.surface.size(), in_memory.surface.size());
     EXPECT_NEAR(total_volume(from_file), total_volume(in_memory), 1e-13);
-    std::filesystem::remove(file);
 }
 
 TEST(GmshSession, TurnsGmshErrorsIntoOurs) {

@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 #include "solver/mesh/medit_file.hpp"
 #include "solver/mesh/msh_file.hpp"
 #include "solver/mesh/obj_file.hpp"
@@ -11,7 +12,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <unistd.h>
 
 #include <cstdint>
 #include <cstring>
@@ -62,18 +62,16 @@ std::string ascii_stl(const SurfaceMesh& surface, const std::string& name) {
     return text + "endsolid " + name + "\n";
 }
 
-/// A file in the tests' folder that goes with this object.
+/// A file that goes with this object.
 class File {
 public:
-    File(const std::string& name, const std::string& content) : path_(std::filesystem::path(testing::TempDir()) / (std::to_string(::getpid()) + name)) {
+    File(const std::string& name, const std::string& content) : path_(folder_ / name) {
         write_file_atomic(path_, content);
     }
-    ~File() { std::filesystem::remove(path_); }
-    File(const File&) = delete;
-    File& operator=(const File&) = delete;
     const std::filesystem::path& path() const { return path_; }
 
 private:
+    ScratchFolder folder_;
     std::filesystem::path path_;
 };
 

@@ -1,5 +1,6 @@
 #include "solver/mesh/mesher.hpp"
 
+#include "solver/input/test/scratch_folder.hpp"
 #include "solver/mesh/check.hpp"
 #include "solver/mesh/gmsh_session.hpp"
 #include "solver/mesh/gmsh_surface.hpp"
@@ -83,16 +84,14 @@ TEST(Netgen, AFailureStaysInItsProcess) {
 }
 
 TEST(Netgen, LeavesNoTemporaryFolders) {
-    const auto scratch = std::filesystem::path(testing::TempDir()) / "netgen_scratch";
-    std::filesystem::create_directories(scratch);
+    const ScratchFolder scratch;
     const char* before = std::getenv("TMPDIR");
     const std::string old = before == nullptr ? "" : before;
-    ::setenv("TMPDIR", scratch.c_str(), 1);
+    ::setenv("TMPDIR", scratch.path().c_str(), 1);
     mesh_by_netgen(cube_surface(), 0.8, 0.8);
     EXPECT_THROW(mesh_by_netgen({}, 0.8, 0.8), MeshingError);
-    EXPECT_TRUE(std::filesystem::is_empty(scratch));
+    EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
     before == nullptr ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", old.c_str(), 1);
-    std::filesystem::remove_all(scratch);
 }
 
 TEST(GmshSurface, AnErrorInsideGmshsParallelRegionIsAnException) {

@@ -2,12 +2,12 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 #include "solver/mesh/check.hpp"
 #include "solver/mesh/test/test_meshes.hpp"
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
 
 namespace cleave::mesh {
 namespace {
@@ -143,7 +143,8 @@ TEST(MshFile, WritesWhatItReads) {
 }
 
 TEST(MshFile, ReadsFromDisk) {
-    const auto path = std::filesystem::path(testing::TempDir()) / ("cleave_msh_test" + std::to_string(::getpid()) + ".msh");
+    const ScratchFolder folder;
+    const auto path = folder / "unit_tet.msh";
     write_msh(test::unit_tet(), path);
     EXPECT_EQ(read_msh(path).tets.size(), 1u);
     std::filesystem::remove(path);

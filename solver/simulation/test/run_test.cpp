@@ -4,6 +4,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 #include "solver/mesh/msh_file.hpp"
 
 #include <fmt/format.h>
@@ -45,12 +46,7 @@ mesh::TetMesh block(int n, double size) {
 
 class Run : public ::testing::Test {
 protected:
-    void SetUp() override {
-        root_ = fs::temp_directory_path() / fmt::format("cleave-run-{}-{}", ::getpid(), ::testing::UnitTest::GetInstance()->current_test_info()->name());
-        fs::create_directories(root_);
-        mesh::write_msh(block(4, 0.08), root_ / "block.msh");
-    }
-    void TearDown() override { fs::remove_all(root_); }
+    void SetUp() override { mesh::write_msh(block(4, 0.08), root_ / "block.msh"); }
 
     Scene scene(const Overrides& overrides = {}) const {
         const std::string text = fmt::format(R"(
@@ -79,24 +75,24 @@ debris_below = "1 g"
     }
 
     RunResult run(const Scene& scene, const std::string& folder, RunOptions options = {}) const {
-        options.out = root_ / folder;
+        options.out = root_.path() / folder;
         return run_scene(scene, options);
     }
 
-    nlohmann::json statistics(const std::string& folder) const { return nlohmann::json::parse(read_file(root_ / folder / "statistics.json")); }
+    nlohmann::json statistics(const std::string& folder) const { return nlohmann::json::parse(read_file(root_.path() / folder / "statistics.json")); }
 
     /// All files of a run but its timings and, where asked, its checkpoints.
     std::map<std::string, std::string> files(const std::string& folder, bool checkpoints = true) const {
         std::map<std::string, std::string> found;
-        for (const auto& entry : fs::recursive_directory_iterator(root_ / folder)) {
-            const std::string name = fs::relative(entry.path(), root_ / folder).string();
+        for (const auto& entry : fs::recursive_directory_iterator(root_.path() / folder)) {
+            const std::string name = fs::relative(entry.path(), root_.path() / folder).string();
             if (!entry.is_regular_file() || name == "timings.json" || (!checkpoints && name.starts_with("checkpoint"))) continue;
             found[name] = read_file(entry.path());
         }
         return found;
     }
 
-    fs::path root_;
+    cleave::ScratchFolder root_;
 };
 
 /// Names of files that differ, so that a failure does not print megabytes.

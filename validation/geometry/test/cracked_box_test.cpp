@@ -1,4 +1,5 @@
 #include "solver/input/table_reader.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 #include "solver/mesh/check.hpp"
 #include "solver/mesh/msh_file.hpp"
 #include "validation/geometry/shape.hpp"
@@ -15,6 +16,8 @@
 namespace cleave::geometry {
 namespace {
 
+const ScratchFolder folder;
+
 struct Made {
     Body body;
     mesh::TetMesh mesh;
@@ -25,7 +28,7 @@ Made make(const std::string& shape, double size) {
     TableReader reader = TableReader::from_text(shape, "shape.toml");
     Made made{{}, {}, read_shape(reader)};
     reader.finish();
-    made.body = made.shape->mesh(size, std::filesystem::path(testing::TempDir()) / "cleave_crack_test");
+    made.body = made.shape->mesh(size, folder);
     made.mesh = mesh::read_msh(made.body.mesh_file);
     mesh::check(made.mesh, "crack");
     return made;

@@ -2,6 +2,7 @@
 
 #include "solver/input/input_error.hpp"
 #include "solver/input/table_reader.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 #include "solver/mesh/check.hpp"
 #include "solver/mesh/msh_file.hpp"
 #include "validation/geometry/contact_block.hpp"
@@ -17,7 +18,7 @@
 namespace cleave::geometry {
 namespace {
 
-const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "cleave_fem_shapes_test";
+const ScratchFolder folder;
 
 struct Measured {
     mesh::TetMesh mesh;

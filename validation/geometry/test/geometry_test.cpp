@@ -1,6 +1,7 @@
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
 #include "solver/input/table_reader.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 #include "solver/mesh/check.hpp"
 #include "solver/mesh/msh_file.hpp"
 #include "solver/mesh/obj_file.hpp"
@@ -19,7 +20,7 @@
 namespace cleave::geometry {
 namespace {
 
-const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "cleave_geometry_test";
+const ScratchFolder folder;
 
 std::shared_ptr<const Shape> shape(const std::string& text) {
     TableReader reader = TableReader::from_text(text, "shape.toml");

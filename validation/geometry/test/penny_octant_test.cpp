@@ -1,4 +1,5 @@
 #include "solver/mesh/check.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 #include "solver/mesh/msh_file.hpp"
 #include "validation/geometry/shape.hpp"
 
@@ -23,7 +24,8 @@ std::shared_ptr<const Shape> octant() {
 
 TEST(PennyOctant, SurfacesSplitItsCrackPlane) {
     const auto shape = octant();
-    const Body body = shape->mesh(0.3, std::filesystem::path(testing::TempDir()) / "cleave_penny_octant_test");
+    const ScratchFolder folder;
+    const Body body = shape->mesh(0.3, folder);
     const mesh::TetMesh mesh = mesh::read_msh(body.mesh_file);
     mesh::check(mesh, "octant");
     EXPECT_NEAR(mesh::total_volume(mesh), 512, 1e-9);

@@ -1,6 +1,7 @@
 #include "solver/mesh/recipes/pot.hpp"
 
 #include "solver/input/file_io.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 #include "solver/mesh/check.hpp"
 #include "solver/mesh/gmsh_session.hpp"
 #include "solver/mesh/msh_file.hpp"
@@ -8,19 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <numbers>
 
 namespace cleave::mesh {
 namespace {
-
-std::filesystem::path empty_folder(const std::string& name) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / (name + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder);
-    return folder;
-}
 
 std::filesystem::path only_file(const std::filesystem::path& folder) {
     std::filesystem::path found;
@@ -57,18 +50,17 @@ TEST(Pot, IsAClosedVesselOfOnePiece) {
 }
 
 TEST(BodyCache, GivesTheSameBits) {
-    const auto folder = empty_folder("cleave_pot_cache");
+    const ScratchFolder folder;
     const Body fresh = pot(1500, folder);
     const std::string text = read_file(only_file(folder));
     const Body cached = pot(1500, folder);
     EXPECT_EQ(cached.record, fresh.record);
     EXPECT_EQ(format_msh(cached.mesh), format_msh(fresh.mesh));
     EXPECT_EQ(text, format_msh(fresh.mesh));
-    std::filesystem::remove_all(folder);
 }
 
 TEST(BodyCache, MakesOnceAndReplacesADamagedFile) {
-    const auto folder = empty_folder("cleave_body_cache");
+    const ScratchFolder folder;
     int made = 0;
     const auto make = [&] { return ++made, test::kuhn_cube(2); };
     cached_body("cube", "cube 2", 48, folder, make);
@@ -82,7 +74,6 @@ TEST(BodyCache, MakesOnceAndReplacesADamagedFile) {
     EXPECT_EQ(read_file(file), whole);
     cached_body("cube", "cube 2, another text", 48, folder, make);  // another recipe, another file
     EXPECT_EQ(made, 3);
-    std::filesystem::remove_all(folder);
 }
 
 TEST(BodyCache, RefusesACountThatMisses) {

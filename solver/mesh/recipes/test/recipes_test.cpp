@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/test/scratch_folder.hpp"
 #include "solver/mesh/gmsh_session.hpp"
 #include "solver/mesh/msh_file.hpp"
 #include "solver/mesh/obj_file.hpp"
@@ -15,7 +16,6 @@
 #include <gmsh.h>
 #include <gtest/gtest.h>
 
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -197,8 +197,7 @@ TEST(BodySource, NamesWhatIsWrong) {
 }
 
 TEST(BodySource, SurfacesAreMeshedAndCachedTetsTakenAsTheyAre) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / ("cleave_body_source" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder);
+    const ScratchFolder folder;
     write_file_atomic(folder / "ball.obj", format_obj(test::sphere_surface(3)));
     write_msh(test::kuhn_cube(2), folder / "cube.msh");
     const BodySource surface = source_of("surface = { file = \"" + (folder / "ball.obj").string() + "\", particles = 1500, mesher = \"gmsh\" }\n");
@@ -212,7 +211,6 @@ TEST(BodySource, SurfacesAreMeshedAndCachedTetsTakenAsTheyAre) {
     counted.particles = 100;
     EXPECT_THROW(make_body(counted), InputError);
     EXPECT_EQ(source_of("surface = \"" + (folder / "ball.obj").string() + "\"\n").file, folder / "ball.obj");
-    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gmsh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -30,14 +31,15 @@ void build(const ContactPlate& plate) {
     gmsh::option::setNumber("Mesh.MeshSizeMin", 0);
     gmsh::option::setNumber("Mesh.MeshSizeMax", plate.half_width);
     gmsh::model::mesh::setSizeCallback([plate](int, int, double x, double y, double z) {
-        return plate.size + plate.growth * std::max(0.0, std::hypot(x, y, z) - 1.2);
+        const double distance = std::hypot(x, y, z);
+        return plate.size + plate.near_growth * std::clamp(distance - 1.2, 0.0, 1.8) + plate.growth * std::max(0.0, distance - 3);
     });
 }
 
 }  // namespace
 
 std::filesystem::path contact_plate_mesh(const ContactPlate& plate, const std::filesystem::path& folder) {
-    const std::string recipe = fmt::format("contact_plate 1 {} {} {} {}", plate.half_width, plate.thickness, plate.size, plate.growth);
+    const std::string recipe = fmt::format("contact_plate 2 {} {} {} {} {}", plate.half_width, plate.thickness, plate.size, plate.near_growth, plate.growth);
     return geometry::cached_mesh(folder, "contact_plate", recipe, [&] { build(plate); });
 }
 

@@ -9,9 +9,10 @@
 namespace cleave::validation {
 
 /// A free plate 0 <= z <= thickness, |x|, |y| <= half_width (m), hit on a circle of radius 1 m about the origin of its face z = 0 by
-/// Hertz's pressure of 1 N along z. Tets of edge `size` round the circle, growing by `growth` times the distance from it.
+/// Hertz's pressure of 1 N along z. Tets of edge `size` round the circle, growing by `near_growth` times the distance from it up to 3 m from
+/// its centre, by `growth` beyond.
 struct ContactPlate {
-    double half_width, thickness, size, growth;
+    double half_width, thickness, size, near_growth, growth;
 };
 
 /// Its mesh: region 1, surface 1 the circle. Made once per plate.

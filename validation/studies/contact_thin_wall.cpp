@@ -125,7 +125,7 @@ private:
         for (const double thickness : thicknesses) {
             const Grid places = grid(thickness);
             const std::vector<Matrix3d> assumed = half_space_stress(surface.stiffness, places);
-            const std::filesystem::path file = contact_plate_mesh({.half_width = 10, .thickness = thickness, .size = level.size, .growth = 0.5}, context.meshes);
+            const std::filesystem::path file = contact_plate_mesh({.half_width = 10, .thickness = thickness, .size = level.size, .near_growth = 0.5, .growth = 0.5}, context.meshes);
             SolveNote note;
             const std::vector<Matrix3d> real = plate_stress(solve_contact_plate(file, surface.stiffness, note), places);
             outcome.solves.push_back(note);

@@ -23,12 +23,13 @@ Point point_force_displacement(const IsotropicHalfSpace& load, const Point& at) 
 
 Point hertz_displacement_by_quadrature(const IsotropicHalfSpace& load, const Point& at, int rings) {
     const int spokes = 4 * rings;
+    const double a = load.radius, b = load.other_radius > 0 ? load.other_radius : load.radius;
     Point sum{};
     for (const auto& [x, weight] : gauss_rule(rings)) {
-        const double t = (1 + x) / 2, r = load.radius * std::sqrt(1 - t * t), share = 3 * t * t * weight / 2 / spokes;
+        const double t = (1 + x) / 2, r = std::sqrt(1 - t * t), share = 3 * t * t * weight / 2 / spokes;
         for (int k = 0; k < spokes; ++k) {
             const double phi = 2 * pi * k / spokes;
-            const Point u = point_force_displacement(load, {at[0] - r * std::cos(phi), at[1] - r * std::sin(phi), at[2]});
+            const Point u = point_force_displacement(load, {at[0] - a * r * std::cos(phi), at[1] - b * r * std::sin(phi), at[2]});
             for (std::size_t i = 0; i < 3; ++i) sum[i] += share * u[i];
         }
     }

@@ -3,6 +3,9 @@
 #include "solver/contact/half_space.hpp"
 #include "solver/contact/hertz.hpp"
 #include "solver/contact/indentation.hpp"
+#include "validation/analytic/elliptical_contact.hpp"
+#include "validation/analytic/half_space_isotropic.hpp"
+#include "validation/studies/contact_surfaces.hpp"
 
 #include <cmath>
 #include <limits>
@@ -51,11 +54,8 @@ void largest_shear(StudyOutcome& outcome) {
     add(outcome, "depth_over_radius", "field", "axis", low);
 }
 
-/// The relative radii of curvature that an elliptical pressure fits, from its own deflection: integrals over w = t^2 of Johnson (1985),
-/// Eq. 3.41, with t = b tan(theta).
-void ellipse(StudyOutcome& outcome) {
-    const double modulus = 75e9;
-    const contact::EllipticalContact c = contact::elliptical_contact(1000, 20e-3, 5e-3, modulus);
+/// Johnson (1985), Eq. 3.41, with t = b tan(theta): deflection at the centre and curvatures as integrals over the confocal ellipsoids.
+void ellipse_by_potential(const contact::EllipticalContact& c, double modulus, StudyOutcome& outcome) {
     const double a2 = c.major * c.major, b2 = c.minor * c.minor;
     double along = 0, across = 0, middle = 0;
     constexpr int steps = 2000;
@@ -71,6 +71,48 @@ void ellipse(StudyOutcome& outcome) {
     add(outcome, "relative_radius", "solver", "across", 1 / (2 * factor * across));
     add(outcome, "approach", "solver", "ellipse", c.approach);
     add(outcome, "approach", "integration", "ellipse", factor * middle);
+}
+
+/// How far the surface that a pressure makes is from touching bodies of the radii of curvature given, over the approach: Hertz's condition
+/// u = delta - x^2/2R' - y^2/2R'' all over the ellipse.
+double misfit(const analytic::EllipticalPressure& pressure, double approach, double modulus, double larger, double smaller) {
+    double worst = 0;
+    for (const double r : {0.0, 0.35, 0.7, 0.99})
+        for (int k = 0; k < 12; ++k) {
+            const double x = r * pressure.a * std::cos(pi * k / 6), y = r * pressure.b * std::sin(pi * k / 6);
+            const double asked = approach - x * x / (2 * larger) - y * y / (2 * smaller);
+            worst = std::max(worst, std::abs(analytic::surface_displacement(pressure, modulus, x, y) - asked) / approach);
+        }
+    return worst;
+}
+
+/// The solver's displacement below an elliptical patch under an oblique force against Boussinesq and Cerruti summed over the ellipse.
+double elliptical_field_error(const contact::EllipticalContact& c, const Eigen::Vector3d& axis) {
+    const double shear = 28e9, nu = 0.25, a = c.major, b = c.minor;
+    const Eigen::Vector3d force(400, -300, 1000);
+    const contact::HalfSpaceField field = contact::half_space_field(material::isotropic(2 * shear * (1 + nu), nu),
+                                                                    {.force = force, .radius = a, .other_radius = b, .axis = axis});
+    double worst = 0;
+    for (const Eigen::Vector3d& x : {Eigen::Vector3d(0, 0, 0.8 * b), Eigen::Vector3d(0.7 * a, 0.3 * b, 0.6 * b), Eigen::Vector3d(-0.4 * a, 2 * b, b),
+                                     Eigen::Vector3d(2 * a, -a, a)})
+        worst = std::max(worst, relative(field.displacement(x), eigen(analytic::hertz_displacement_by_quadrature({shear, nu, plain(force), a, b}, plain(x)))));
+    return worst;
+}
+
+/// 1 kN between bodies of relative radii 20 and 5 mm.
+void ellipse(StudyOutcome& outcome) {
+    const double modulus = 75e9, larger = 20e-3, smaller = 5e-3;
+    const contact::EllipticalContact c = contact::elliptical_contact(1000, larger, smaller, modulus);
+    ellipse_by_potential(c, modulus, outcome);
+    const analytic::EllipticalPressure pressure{c.major, c.minor, c.peak_pressure};
+    add(outcome, "misfit", "solver", "ellipse", misfit(pressure, c.approach, modulus, larger, smaller));
+    add(outcome, "misfit", "turned", "ellipse", misfit(pressure, c.approach, modulus, smaller, larger));
+    add(outcome, "resultant", "solver", "ellipse", analytic::resultant(pressure));
+    // The circle of the same mean curvature under the same force, as contacts of scenes are.
+    const contact::HertzContact circle = contact::hertz_contact(1000, std::sqrt(larger * smaller), modulus);
+    add(outcome, "misfit", "circle", "ellipse", misfit({circle.radius, circle.radius, circle.peak_pressure}, circle.approach, modulus, larger, smaller));
+    add(outcome, "displacement_error", "field", "ellipse", elliptical_field_error(c, Eigen::Vector3d::UnitX()));
+    add(outcome, "displacement_error", "turned", "ellipse", elliptical_field_error(c, Eigen::Vector3d::UnitY()));
 }
 
 /// m x'' = -(4/3) E* sqrt(R) x^(3/2) by Runge and Kutta until the bodies part.
@@ -121,8 +163,9 @@ StudyInfo contact_hertz_study() {
             {},
             {{"contact_radius", dimension::length}, {"peak_pressure", dimension::pressure}, {"approach", dimension::length},
              {"edge_tension", dimension::pressure}, {"shear_over_pressure", dimension::none}, {"depth_over_radius", dimension::none},
-             {"relative_radius", dimension::length}, {"peak_force", dimension::force}, {"duration", dimension::time}},
-            {"solver", "field", "integration"},
+             {"relative_radius", dimension::length}, {"peak_force", dimension::force}, {"duration", dimension::time}, {"misfit", dimension::none},
+             {"resultant", dimension::force}, {"displacement_error", dimension::none}},
+            {"solver", "field", "integration", "turned", "circle"},
             [](TableReader&) -> std::shared_ptr<const Study> { return std::make_shared<ContactHertz>(); }};
 }
 

@@ -36,8 +36,8 @@ double h_error(const contact::HalfSpace& solver, const analytic::FourierHalfSpac
 }
 
 /// Second derivatives of the surface's normal displacement under Hertz's pressure (p0 = 1, a = 1), by steps of 0.3 a: the displacement is
-/// a paraboloid, so the step does not matter.
-double paraboloid_error(const ContactSurface& surface, const analytic::FourierHalfSpace& fourier) {
+/// a paraboloid, so the step does not matter. `turned`: against the paraboloid with its axes swapped.
+double paraboloid_error(const ContactSurface& surface, const analytic::FourierHalfSpace& fourier, bool turned) {
     const contact::HalfSpaceField field =
         contact::half_space_field(surface.stiffness, {.force = {0, 0, 2 * pi / 3}, .radius = 1}, {.form = contact::HalfSpaceForm::stroh});
     const auto u = [&](double x, double y) { return field.displacement({x, y, 0})[2]; };
@@ -48,6 +48,7 @@ double paraboloid_error(const ContactSurface& surface, const analytic::FourierHa
     bend(0, 1) = bend(1, 0) = (u(s, s) + u(-s, -s) - u(s, -s) - u(-s, s)) / (4 * s * s);
     const auto integral = fourier.curvature_integral();
     exact << integral[0][0], integral[0][1], integral[1][0], integral[1][1];
+    if (turned) exact = exact.reverse().eval();
     return relative(bend, -exact / 4);
 }
 
@@ -66,7 +67,8 @@ public:
             outcome.values.push_back({"indentation_modulus", "analytic", surface.name, fourier.indentation_modulus(256)});
             outcome.values.push_back({"surface_compliance_error", "stroh", surface.name, h_error(solver, fourier, 0)});
             outcome.values.push_back({"surface_compliance_error", "turned", surface.name, h_error(solver, fourier, pi / 4)});
-            outcome.values.push_back({"paraboloid_error", "stroh", surface.name, paraboloid_error(surface, fourier)});
+            outcome.values.push_back({"paraboloid_error", "stroh", surface.name, paraboloid_error(surface, fourier, false)});
+            outcome.values.push_back({"paraboloid_error", "turned", surface.name, paraboloid_error(surface, fourier, true)});
         }
         outcome.artifacts.push_back(draw(surfaces_, context));
         return outcome;

@@ -1,3 +1,4 @@
+#include "validation/analytic/elliptical_contact.hpp"
 #include "validation/analytic/half_space_fourier.hpp"
 #include "validation/analytic/half_space_isotropic.hpp"
 
@@ -43,6 +44,23 @@ TEST(HalfSpace, HertzByQuadratureAndByPotentials) {
         EXPECT_LT(distance(hertz_displacement_by_quadrature(load, x), u), 1e-8 * length(u));
     }
     EXPECT_THROW(hertz_interior({shear, poisson, {1, 0, 5}, 1.3}, {0, 0, 1}), std::invalid_argument);
+}
+
+/// An ellipse by chords: a circle is the book's paraboloid p0 pi (2 a^2 - r^2)/(4 a E*); below an ellipse's surface the sum over rings comes
+/// up to it like the depth.
+TEST(HalfSpace, EllipticalPressureByChordsAndByRings) {
+    const double modulus = young / (1 - poisson * poisson), pi = std::numbers::pi;
+    EXPECT_NEAR(surface_displacement({1.3, 1.3, 2}, modulus, 0.5, -0.4), 2 * pi / (4 * 1.3 * modulus) * (2 * 1.69 - 0.41), 1e-14);
+    const EllipticalPressure ellipse{1.3, 0.6, 2};
+    EXPECT_NEAR(resultant(ellipse), 2.0 / 3 * 2 * pi * 1.3 * 0.6, 1e-13);
+    const auto below = [&](double z) {
+        return hertz_displacement_by_quadrature({shear, poisson, {0, 0, resultant(ellipse)}, 1.3, 0.6}, {0.4, -0.2, z}, 192)[2];
+    };
+    // u falls by (1 - 2 nu)/(2 G) p z at first; fourth order extrapolation of 0.05, 0.1, ... leaves about 1e-4.
+    const double risen = 4 * below(0.05) - 6 * below(0.1) + 4 * below(0.15) - below(0.2), u = surface_displacement(ellipse, modulus, 0.4, -0.2);
+    EXPECT_NEAR(risen / u, 1, 1e-3);
+    EXPECT_GT(std::abs(risen / surface_displacement({0.6, 1.3, 2}, modulus, 0.4, -0.2) - 1), 1e-2) << "must fail twin";
+    EXPECT_THROW(surface_displacement(ellipse, modulus, 0, 0.7), std::invalid_argument);
 }
 
 TEST(HalfSpace, HertzStressesOfTheBook) {

@@ -10,6 +10,8 @@
 #include "validation/studies/griffith.hpp"
 #include "validation/studies/kernel_properties.hpp"
 #include "validation/studies/principal_directions.hpp"
+#include "validation/studies/scene_claims.hpp"
+#include "validation/studies/seeded_contacts.hpp"
 
 namespace cleave::validation {
 
@@ -25,6 +27,8 @@ const std::vector<StudyInfo>& studies() {
         principal_directions_study(),
         algorithm_1_study(),
         griffith_study(),
+        scene_claims_study(),
+        seeded_contacts_study(),
     };
     return list;
 }

@@ -86,7 +86,7 @@ void fields(Archive& archive, ImpactRecord& impact) {
 template <class Archive>
 void fields(Archive& archive, Watch& watch) {
     archive(watch.momentum_error, watch.angular_momentum_error, watch.mass_error, watch.energy_growth, watch.energy_scale, watch.penetration, watch.boundary_at_start, watch.steps,
-            watch.fractures);
+            watch.free_steps, watch.fractures);
 }
 template <class Archive>
 void fields(Archive& archive, State& state) {
@@ -96,7 +96,7 @@ void fields(Archive& archive, State& state) {
 namespace {
 
 constexpr std::string_view magic = "cleave checkpoint\n";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr std::size_t hash_length = 16;
 
 }  // namespace

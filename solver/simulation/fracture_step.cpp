@@ -1,8 +1,6 @@
 // From a contact to new pieces: the half of Simulation that breaks things.
 
 #include "solver/contact/contact_load.hpp"
-#include "solver/contact/hertz.hpp"
-#include "solver/contact/indentation.hpp"
 #include "solver/simulation/simulation.hpp"
 #include "solver/simulation/stopwatch.hpp"
 
@@ -100,15 +98,14 @@ void Simulation::fracture(const Hit& hit) {
     {
         const Stopwatch watch(clock_.analysis);
         const rigid::Motion now = motion(piece);
-        contact::ContactLoad load;
-        load.inward = (now.rotation.transpose() * hit.push).normalized();
-        load.point = body.surface_point(now.rotation.transpose() * (hit.point - now.translation), 1 / hit.curvature);
-        const double modulus = contact::contact_modulus(body.indentation_modulus(load.point, load.inward), hit.other_modulus);
-        const contact::HertzContact peak = contact::hertz_impact(hit.effective_mass, 1 / hit.curvature, modulus, hit.speed).peak;
-        load.force = peak.force * load.inward;
-        load.radius = peak.radius;
-        record.force = peak.force;
-        record.contact_radius = peak.radius;
+        const contact::ContactLoad load = body.peak_load({.point = now.rotation.transpose() * (hit.point - now.translation),
+                                                          .inward = (now.rotation.transpose() * hit.push).normalized(),
+                                                          .effective_mass = hit.effective_mass,
+                                                          .curvature = hit.curvature,
+                                                          .other_modulus = hit.other_modulus,
+                                                          .speed = hit.speed});
+        record.force = load.force.norm();
+        record.contact_radius = load.radius;
         record.point = load.point;
         record.inward = load.inward;
         found = body.analyse(load);
@@ -120,51 +117,14 @@ void Simulation::fracture(const Hit& hit) {
         record.outer_radii.push_back(crack.outer_radius);
         record.inner_radii.push_back(crack.inner_radius);
     }
-    bool changed = false;
-    const std::vector<int> pieces = open_cracks(piece, found, changed);
-    record.fragments = static_cast<std::int32_t>(pieces.size());
+    const SceneBody::Opened opened = body.open_cracks(found.cracks, piece.fragment, clock_);
+    record.fragments = static_cast<std::int32_t>(opened.fragments.size());
     state_.impacts.push_back(record);
-    if (!changed) return;
+    if (!opened.changed) return;
     const Stopwatch watch(clock_.fragments);
     ++state_.watch.fractures;
     ++clock_.fractures;
-    replace(hit.piece, pieces);
-}
-
-/// Each crack passes through all pieces that the ones before have left; lone particles stay whole.
-std::vector<int> Simulation::open_cracks(const Piece& piece, const fracture::CrackAnalysis& found, bool& changed) {
-    SceneBody& body = *bodies_[piece.body];
-    std::vector<int> pieces{piece.fragment};
-    for (const fracture::Crack& crack : found.cracks) {
-        if (!(crack.outer_radius > 0)) continue;
-        const fragments::Crack disc{.disc = {.centre = crack.centre, .normal = crack.normal, .radius = crack.outer_radius},
-                                    .inner_radius = crack.inner_radius, .region = body.region_of_material(crack.material)};
-        std::vector<int> next;
-        for (const int fragment : pieces) {
-            if (body.fragmented().fragment(fragment).particles.size() < 2) {
-                next.push_back(fragment);
-                continue;
-            }
-            const SceneBody::Opened opened = open_crack(body, disc, fragment);
-            next.insert(next.end(), opened.fragments.begin(), opened.fragments.end());
-            changed = changed || opened.changed;
-        }
-        pieces = std::move(next);
-    }
-    std::sort(pieces.begin(), pieces.end());
-    return pieces;
-}
-
-SceneBody::Opened Simulation::open_crack(SceneBody& body, const fragments::Crack& crack, int fragment) {
-    int cut = 0;
-    {
-        const Stopwatch watch(clock_.subdivision);
-        cut = body.subdivide(crack, fragment);
-    }
-    const Stopwatch watch(clock_.cracks);
-    SceneBody::Opened opened = body.open(crack, fragment);
-    opened.changed = opened.changed || cut > 0;
-    return opened;
+    replace(hit.piece, opened.fragments);
 }
 
 /// A piece gives way to the fragments it became. Its velocity field is theirs: v_f = v + w x (c_f - c), w_f = w.

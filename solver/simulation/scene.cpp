@@ -48,8 +48,13 @@ std::string found(const std::string& name, const TableReader& reader) {
     return std::filesystem::exists(beside) ? beside.string() : name;
 }
 
+bool is_text(TableReader& reader, const std::string& key) {
+    const std::string raw = reader.raw(key);
+    return raw.starts_with('"') || raw.starts_with('\'');
+}
+
 material::Material read_elastic(TableReader& body, const std::string& key) {
-    if (body.raw(key).starts_with("{")) {
+    if (!is_text(body, key)) {
         TableReader table = body.table(key);
         return material::read_material(table);
     }
@@ -59,12 +64,24 @@ material::Material read_elastic(TableReader& body, const std::string& key) {
     return material::find_material(name);
 }
 
-/// `limits`: where the keys of read_brittleness stand.
-BodyMaterial read_body_material(TableReader& reader, const std::string& key, TableReader& limits, bool breakable) {
-    BodyMaterial out{read_elastic(reader, key), {}};
+/// `key`: where the material stands; `limits`: where the keys of read_brittleness do.
+BodyMaterial with_limits(material::Material elastic, const TableReader& reader, const std::string& key, TableReader& limits, bool breakable) {
+    BodyMaterial out{std::move(elastic), {}};
     if (!(out.elastic.density > 0)) reader.fail(key, "a material with a density");
     if (breakable) out.brittleness = fracture::read_brittleness(limits, out.elastic.strength, out.elastic.toughness, out.elastic.stiffness);
     return out;
+}
+
+BodyMaterial read_body_material(TableReader& body, bool breakable) { return with_limits(read_elastic(body, "material"), body, "material", body, breakable); }
+
+/// A region's own material; in a table of keys those of read_brittleness stand too.
+BodyMaterial read_region_material(TableReader& regions, const std::string& region, bool breakable) {
+    if (is_text(regions, region)) {
+        TableReader none = TableReader::from_text("", regions.file());
+        return with_limits(read_elastic(regions, region), regions, region, none, breakable);
+    }
+    TableReader table = regions.table(region);
+    return with_limits(material::read_material(table), regions, region, table, breakable);
 }
 
 KernelSpec read_kernel(TableReader& body) {
@@ -110,12 +127,9 @@ BodySpec read_body(TableReader& reader, int number) {
     BodySpec body;
     body.name = reader.string_or("name", fmt::format("body{}", number));
     read_shape(reader, body);
-    body.material = read_body_material(reader, "material", reader, body.breakable);
+    body.material = read_body_material(reader, body.breakable);
     if (std::optional<TableReader> regions = reader.table_if("region_materials"))
-        for (const std::string& region : regions->keys()) {
-            TableReader none = TableReader::from_text("", reader.file());
-            body.region_materials[region] = read_body_material(*regions, region, none, body.breakable);
-        }
+        for (const std::string& region : regions->keys()) body.region_materials[region] = read_region_material(*regions, region, body.breakable);
     body.rotation = material::read_rotation(reader);
     body.position = vector_or_zero(reader, "position", dimension::length);
     body.velocity = vector_or_zero(reader, "velocity", dimension::velocity);

@@ -88,6 +88,7 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;  ///< dotted
 ///   [contact]   friction = 0.5, restitution = 0.1
 ///   [[body]]    recipe | mesh | surface (mesh::read_body_source) or ball = { radius = "3 cm" }
 ///               name, material = "porcelain" | "FILE.toml" | { keys of [material] }, region_materials = { NAME = material, ... }
+///               (in a table of keys: those of read_brittleness too)
 ///               position, velocity ["1 m", ...], angular_velocity ["1 Hz", ...] (rad/s), rotation = { axis, angle } or several
 ///               kernel = { tensor = "wpca" | "isotropic", scale = [1, 1, 1], keep_volume = false, support = 2.5 }
 ///               groups = 2, breakable = true, thickness = "1 cm", contact_radius = "1 m"

@@ -1,6 +1,7 @@
 #include "solver/simulation/scene_body.hpp"
 
 #include "solver/contact/contact_displacement.hpp"
+#include "solver/contact/hertz.hpp"
 #include "solver/contact/indentation.hpp"
 #include "solver/elasticity/conforming_body.hpp"
 #include "solver/fracture/interfaces.hpp"
@@ -12,6 +13,7 @@
 #include "solver/particles/wpca.hpp"
 #include "solver/simulation/closest_point.hpp"
 #include "solver/simulation/fragment_shape.hpp"
+#include "solver/simulation/stopwatch.hpp"
 
 #include <fmt/format.h>
 
@@ -229,6 +231,17 @@ Eigen::Vector3d SceneBody::surface_point(const Eigen::Vector3d& place, double re
     return best;
 }
 
+contact::ContactLoad SceneBody::peak_load(const Blow& blow) const {
+    contact::ContactLoad load;
+    load.inward = blow.inward;
+    load.point = surface_point(blow.point, 1 / blow.curvature);
+    const double modulus = contact::contact_modulus(indentation_modulus(load.point, load.inward), blow.other_modulus);
+    const contact::HertzContact peak = contact::hertz_impact(blow.effective_mass, 1 / blow.curvature, modulus, blow.speed).peak;
+    load.force = peak.force * load.inward;
+    load.radius = peak.radius;
+    return load;
+}
+
 fracture::CrackAnalysis SceneBody::analyse(const contact::ContactLoad& load) {
     const contact::ContactBody body{.mesh = mesh_, .particles = analysis_->particles, .stiffness = stiffness_};
     const contact::ParticleDisplacement displacement = contact::contact_displacement(analysis_->source, body, load);
@@ -245,17 +258,41 @@ fracture::CrackAnalysis SceneBody::analyse(const contact::ContactLoad& load) {
     return found;
 }
 
-int SceneBody::subdivide(const fragments::Crack& crack, int fragment) {
-    const subdivision::Counts counts = fragmented_->subdivide(crack, fragment);
-    return counts.three_one + counts.two_two;
-}
-
-SceneBody::Opened SceneBody::open(const fragments::Crack& crack, int fragment) {
+SceneBody::Opened SceneBody::open_crack(const fragments::Crack& crack, int fragment, CrackTimes& times) {
+    Opened opened;
+    {
+        const Stopwatch watch(times.subdivision);
+        const subdivision::Counts counts = fragmented_->subdivide(crack, fragment);
+        opened.changed = counts.three_one + counts.two_two > 0;
+    }
+    const Stopwatch watch(times.cracks);
     const fragments::CrackOutcome outcome = fragmented_->open(crack, fragment);
     history_.push_back({crack, fragment});
-    Opened opened{.fragments = outcome.new_fragments, .changed = outcome.removed_links > 0 || outcome.isolated > 0};
-    if (opened.fragments.empty()) opened.fragments = {fragment};
+    opened.changed = opened.changed || outcome.removed_links > 0 || outcome.isolated > 0;
+    opened.fragments = outcome.new_fragments.empty() ? std::vector<int>{fragment} : outcome.new_fragments;
     return opened;
+}
+
+SceneBody::Opened SceneBody::open_cracks(const std::vector<fracture::Crack>& cracks, int fragment, CrackTimes& times) {
+    Opened all{.fragments = {fragment}};
+    for (const fracture::Crack& crack : cracks) {
+        if (!(crack.outer_radius > 0)) continue;
+        const fragments::Crack disc{.disc = {.centre = crack.centre, .normal = crack.normal, .radius = crack.outer_radius},
+                                    .inner_radius = crack.inner_radius, .region = region_of_material(crack.material)};
+        std::vector<int> next;
+        for (const int piece : all.fragments) {
+            if (fragmented_->fragment(piece).particles.size() < 2) {
+                next.push_back(piece);
+                continue;
+            }
+            const Opened opened = open_crack(disc, piece, times);
+            next.insert(next.end(), opened.fragments.begin(), opened.fragments.end());
+            all.changed = all.changed || opened.changed;
+        }
+        all.fragments = std::move(next);
+    }
+    std::sort(all.fragments.begin(), all.fragments.end());
+    return all;
 }
 
 std::optional<int> SceneBody::region_of_material(int material) const {
@@ -270,12 +307,22 @@ std::optional<int> SceneBody::region_of_material(int material) const {
     return found;
 }
 
+std::string SceneBody::material_name(int material) const {
+    const std::optional<int> region = region_of_material(material);
+    const auto name = mesh_.region_names.find(region.value_or(-1));
+    return name == mesh_.region_names.end() ? spec_.name : name->second;
+}
+
 void SceneBody::repeat(const std::vector<OpenedCrack>& history, std::vector<ParticleResult> results) {
-    for (const OpenedCrack& opened : history) {
-        subdivide(opened.crack, opened.fragment);
-        open(opened.crack, opened.fragment);
-    }
+    CrackTimes times;
+    for (const OpenedCrack& opened : history) open_crack(opened.crack, opened.fragment, times);
     results_ = std::move(results);
+}
+
+void SceneBody::make_whole() {
+    fragmented_->reset();
+    history_.clear();
+    results_.assign(mesh_.tets.size(), {});
 }
 
 }  // namespace cleave::simulation

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/contact/contact_load.hpp"
 #include "solver/elasticity/strain.hpp"
 #include "solver/fracture/crack_generation.hpp"
 #include "solver/fragments/fragmented_body.hpp"
@@ -26,6 +27,22 @@ struct OpenedCrack {
 struct ParticleResult {
     std::array<float, 6> stress{};  ///< Pa, mean of the particle's group
     float energy_density = 0;       ///< J/m^3
+};
+
+/// A blow on a body, rest coordinates.
+struct Blow {
+    Eigen::Vector3d point;            ///< m, where it is moved to the surface from
+    Eigen::Vector3d inward;           ///< unit, direction of the force
+    double effective_mass = 0;        ///< kg
+    double curvature = 0;             ///< 1/m, of both surfaces together
+    double other_modulus = 0;         ///< Pa, indentation modulus of who hits; infinite for what does not give way
+    double speed = 0;                 ///< m/s
+};
+
+/// Seconds by the clock that cracks took.
+struct CrackTimes {
+    double subdivision = 0;  ///< tets at the cracks, with their links
+    double cracks = 0;       ///< links removed, components found
 };
 
 /// A fragment as rigid bodies and pictures need it.
@@ -63,24 +80,29 @@ public:
     /// The point of the body's first surface nearest to `place`, within `reach`; `place` where there is none so near.
     Eigen::Vector3d surface_point(const Eigen::Vector3d& place, double reach) const;
 
+    /// Hertz's peak load of a blow, at the point of the surface nearest to it.
+    contact::ContactLoad peak_load(const Blow& blow) const;
+
     /// Algorithm 1 for a load (rest coordinates). Keeps the results of the groups.
     fracture::CrackAnalysis analyse(const contact::ContactLoad& load);
 
-    /// What a crack did to a fragment.
+    /// What cracks did to a fragment.
     struct Opened {
-        std::vector<int> fragments;  ///< that it became; the same number where it stayed in one piece
+        std::vector<int> fragments;  ///< that it became, ascending; the same number where it stayed in one piece
         bool changed = false;        ///< tets were cut or links removed
     };
-    /// Tets at the crack are cut. Returns how many.
-    int subdivide(const fragments::Crack& crack, int fragment);
-    /// Opens a crack for which subdivide() was called.
-    Opened open(const fragments::Crack& crack, int fragment);
+    /// Opens cracks one after the other, each in all the pieces that the ones before have left; lone particles stay whole.
+    Opened open_cracks(const std::vector<fracture::Crack>& cracks, int fragment, CrackTimes& times);
 
     /// The region that a material of the analysis fills; none where it is the only one, or fills several.
     std::optional<int> region_of_material(int material) const;
+    /// That material's name: its region's, or the body's own.
+    std::string material_name(int material) const;
 
     /// A body made of the same spec goes through the same cracks again.
     void repeat(const std::vector<OpenedCrack>& history, std::vector<ParticleResult> results);
+    /// Without its cracks.
+    void make_whole();
 
 private:
     struct Analysis;  ///< kernels, operator, generator: what only breakable bodies have
@@ -91,6 +113,7 @@ private:
     double density_of(int original) const { return density_.at(static_cast<std::size_t>(original)); }
     void set_materials();
     void find_surface();
+    Opened open_crack(const fragments::Crack& crack, int fragment, CrackTimes& times);
 
     BodySpec spec_;
     rigid::BoundaryRule boundary_;

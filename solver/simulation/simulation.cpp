@@ -119,7 +119,7 @@ bool Simulation::advance(const std::function<bool()>& stop) {
 }
 
 void Simulation::step(double dt) {
-    const double before = mechanical_energy();
+    const std::vector<double> before = mechanical_energies();
     {
         const Stopwatch watch(clock_.dynamics);
         world_->step(dt);
@@ -127,7 +127,7 @@ void Simulation::step(double dt) {
     }
     ++state_.watch.steps;
     state_.watch.energy_scale = std::max(state_.watch.energy_scale, kinetic_energy());
-    if (world_->contacts().empty()) state_.watch.energy_growth = std::max(state_.watch.energy_growth, mechanical_energy() - before);
+    watch_energy(before);
     for (const rigid::Contact& contact : world_->contacts()) state_.watch.penetration = std::max(state_.watch.penetration, -contact.distance);
     // A fracture renumbers the pieces: each is looked up again by its rigid body.
     std::vector<std::pair<int, Hit>> waiting;
@@ -179,14 +179,31 @@ double Simulation::kinetic_energy() const {
     return sum;
 }
 
-double Simulation::mechanical_energy() const {
-    double sum = 0;
+/// Of each piece, J; zero for those that are held, and for debris, which loses energy on the ground without contacts.
+std::vector<double> Simulation::mechanical_energies() const {
+    std::vector<double> energies;
     for (const Piece& piece : state_.pieces) {
-        if (piece.held || piece.rigid < 0) continue;  // debris loses energy on the ground, without contacts
+        energies.push_back(0);
+        if (piece.held || piece.rigid < 0) continue;
         const rigid::Motion now = motion(piece);
-        sum += kinetic(piece.mass, now) - piece.mass.mass * scene_.gravity.dot(now.at(piece.mass.centre));
+        energies.back() = kinetic(piece.mass, now) - piece.mass.mass * scene_.gravity.dot(now.at(piece.mass.centre));
     }
-    return sum;
+    return energies;
+}
+
+/// Pieces that nothing pushed in the last step must not have gained energy.
+void Simulation::watch_energy(const std::vector<double>& before) {
+    std::vector<int> pushed;
+    for (const rigid::Contact& contact : world_->contacts())
+        if (contact.impulse > 0 || contact.distance < 0) pushed.insert(pushed.end(), {contact.a, contact.b});
+    std::sort(pushed.begin(), pushed.end());
+    const std::vector<double> after = mechanical_energies();
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const Piece& piece = state_.pieces[i];
+        if (piece.held || piece.rigid < 0 || std::binary_search(pushed.begin(), pushed.end(), piece.rigid)) continue;
+        ++state_.watch.free_steps;
+        state_.watch.energy_growth = std::max(state_.watch.energy_growth, after[i] - before[i]);
+    }
 }
 
 int Simulation::piece_of(int rigid) const {

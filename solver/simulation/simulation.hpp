@@ -14,11 +14,9 @@
 namespace cleave::simulation {
 
 /// Seconds by the clock, for timings.json only.
-struct Clock {
+struct Clock : CrackTimes {
     double dynamics = 0;     ///< rigid bodies, debris
     double analysis = 0;     ///< contact mechanics, strains, cracks' normals and radii
-    double subdivision = 0;  ///< tets at the cracks, with their links
-    double cracks = 0;       ///< links removed, components found
     double fragments = 0;    ///< new fragments: surfaces, masses, boundary particles, rigid bodies
     int fractures = 0;       ///< contacts whose cracks changed a piece
 };
@@ -68,15 +66,14 @@ private:
     void move_debris(double dt);
     void record_frame();
     double kinetic_energy() const;
-    double mechanical_energy() const;
+    std::vector<double> mechanical_energies() const;
+    void watch_energy(const std::vector<double>& before);
     std::vector<Hit> hits() const;
     Hit hit_of(const rigid::Contact& contact, bool first, int piece) const;
     int piece_of(int rigid) const;
     double curvature(int rigid, int sphere) const;
     double inverse_mass(int rigid, const Eigen::Vector3d& point, const Eigen::Vector3d& direction) const;
     void fracture(const Hit& hit);
-    std::vector<int> open_cracks(const Piece& piece, const fracture::CrackAnalysis& found, bool& changed);
-    SceneBody::Opened open_crack(SceneBody& body, const fragments::Crack& crack, int fragment);
     void replace(int piece, const std::vector<int>& fragments);
     void watch_momentum(const Piece& before, const rigid::Motion& before_motion, std::size_t first_new);
 

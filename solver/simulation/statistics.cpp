@@ -108,6 +108,7 @@ std::string statistics_json(const Simulation& simulation) {
         {"scene", simulation.scene().name},
         {"frames", simulation.frame()},
         {"steps", watch.steps},
+        {"free_steps_of_pieces", watch.free_steps},
         {"physical_particles", counts.physical},
         {"subdivided_particles", counts.subdivided},
         {"boundary_particles", counts.boundary},

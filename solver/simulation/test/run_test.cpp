@@ -118,6 +118,7 @@ TEST_F(Run, ABlockBreaksAndNothingIsLost) {
     EXPECT_LT(json["mass_error"].get<double>(), 1e-12);
     EXPECT_LT(json["momentum_error"].get<double>(), 1e-10);          // the figure; sums of a few hundred tets give 1e-15
     EXPECT_LT(json["angular_momentum_error"].get<double>(), 1e-10);
+    EXPECT_GT(json["free_steps_of_pieces"], 0);
     // Free flight loses energy (symplectic Euler, implicit gyroscopic term); what rounding may add is a 1e-12 of it.
     EXPECT_LT(json["energy_growth_without_contact"].get<double>(), 1e-9 * json["largest_kinetic_energy"].get<double>());
     EXPECT_TRUE(fs::exists(root_ / "a/surface.glb"));
@@ -184,6 +185,14 @@ TEST_F(Run, BadCheckpointsAreRefused) {
     EXPECT_THROW(read_checkpoint("nonsense", one.text, "c"), InputError);
     EXPECT_THROW(read_checkpoint(good.substr(0, good.size() - 1), one.text, "c"), InputError);
     EXPECT_THROW(read_checkpoint(good, one.text + " ", "c"), InputError);  // another scene
+    try {  // its first byte after the magic word is the version
+        std::string older = good;
+        older[std::string("cleave checkpoint\n").size()] = 1;
+        read_checkpoint(older, one.text, "c");
+        ADD_FAILURE() << "an older version was read";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("version 2 (not 1)"), std::string::npos) << error.what();
+    }
     std::string bad = good;
     bad[bad.size() / 2] = static_cast<char>(bad[bad.size() / 2] ^ 1);
     EXPECT_THROW(read_checkpoint(bad, one.text, "c"), InputError);

@@ -54,6 +54,20 @@ TEST(Scene, KernelScaleMayKeepItsVolume) {
     EXPECT_NEAR(scale[0] / scale[2], 3, 1e-14);
 }
 
+TEST(Scene, ARegionsMaterialBringsItsOwnLimits) {
+    const Scene scene = read("name = \"s\"\n[[body]]\nrecipe = { name = \"tai_chi\" }\nmaterial = \"porcelain\"\nfibre = { direction = [1, 0, 0], ratio = 3 }\n"
+                             "[body.region_materials]\nyin = \"alumina\"\n[body.region_materials.yang]\nname = \"alumina\"\ntoughness = \"5 J/m^2\"\n"
+                             "fibre = { direction = [0, 1, 0], ratio = 2 }\n");
+    const BodySpec& body = scene.bodies.at(0);
+    const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY();
+    const auto ratio = [](const BodyMaterial& material, const Eigen::Vector3d& normal) { return material.brittleness.toughness.intensity_ratio(normal); };
+    EXPECT_DOUBLE_EQ(ratio(body.material, x), 3);
+    EXPECT_DOUBLE_EQ(ratio(body.region_materials.at("yin"), x), 1);  // a name alone: the body's fibres are not its
+    EXPECT_DOUBLE_EQ(ratio(body.region_materials.at("yang"), y), 2);
+    EXPECT_DOUBLE_EQ(ratio(body.region_materials.at("yang"), x), 1);
+    EXPECT_DOUBLE_EQ(body.region_materials.at("yang").brittleness.toughness.energy(x), 5);
+}
+
 TEST(Scene, OverridesReachIntoBodies) {
     const Scene scene = read("name = \"s\"\n" + body, {{"frames", "7"}, {"body[0].position", "[\"0 m\", \"0 m\", \"2 m\"]"}});
     EXPECT_EQ(scene.frames, 7);

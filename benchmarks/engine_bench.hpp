@@ -24,7 +24,7 @@ struct EngineBench {
 
     subdivision::Cut cut;
     subdivision::SubdivisionEngine engine;
-    std::vector<subdivision::ExtraLink> extra_links;
+    subdivision::Buffer<subdivision::ExtraLink> extra_links;
 };
 
 /// particles_before, particles_after, uncut, n31, n22, extra_links; checks that particles_after = uncut + 14 n31 + 20 n22.

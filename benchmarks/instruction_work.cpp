@@ -9,7 +9,7 @@
 
 /// callgrind counts inside this function only. A plain name, so that it can be told on valgrind's command line.
 extern "C" [[gnu::noinline]] void cleave_counted_work(cleave::subdivision::SubdivisionEngine* engine, const cleave::subdivision::Cut* cut,
-                                                      std::vector<cleave::subdivision::ExtraLink>* links) {
+                                                      cleave::subdivision::Buffer<cleave::subdivision::ExtraLink>* links) {
     engine->cut(*cut);
     engine->find_extra_links(*links);
 }
@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
     if (cells < 1) return 2;
     const cleave::benchmarks::SubdivisionCase body = cleave::benchmarks::cube_case(cells);
     cleave::subdivision::SubdivisionEngine engine(body.mesh);
-    std::vector<cleave::subdivision::ExtraLink> links;
+    cleave::subdivision::Buffer<cleave::subdivision::ExtraLink> links;
     cleave_counted_work(&engine, &body.cut, &links);
     std::printf("%zu\n", engine.child_tets().size());
 }

@@ -39,7 +39,7 @@ void engine_beside_stores(benchmark::State& state, LazyCase& source) {
 void engine_cold(benchmark::State& state, LazyCase& source) {
     EngineBench warm(source.get());
     std::unique_ptr<subdivision::SubdivisionEngine> cold;
-    std::vector<subdivision::ExtraLink> links;
+    subdivision::Buffer<subdivision::ExtraLink> links;
     const auto first_cut = [&] {
         cold->cut(warm.cut);
         cold->find_extra_links(links);

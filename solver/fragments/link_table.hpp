@@ -78,7 +78,7 @@ private:
     std::vector<std::uint8_t> state_;                   ///< per particle: bits 0..3 removed links, `gone`: subdivided
     std::vector<PartialLink> partial_;                  ///< of all cuts, in the engine's order
     std::vector<std::uint64_t> removed_pairs_;          ///< removed partial links before the current cut, sorted
-    std::vector<subdivision::ExtraLink> scratch_;
+    subdivision::Buffer<subdivision::ExtraLink> scratch_;
 };
 
 }  // namespace cleave::fragments

@@ -19,6 +19,14 @@ public:
     Buffer() = default;
     Buffer(const Buffer&) = delete;
     Buffer& operator=(const Buffer&) = delete;
+    Buffer(Buffer&& other) noexcept
+        : values_(std::exchange(other.values_, nullptr)), size_(std::exchange(other.size_, 0)), capacity_(std::exchange(other.capacity_, 0)) {}
+    Buffer& operator=(Buffer&& other) noexcept {
+        std::swap(values_, other.values_);
+        std::swap(size_, other.size_);
+        std::swap(capacity_, other.capacity_);
+        return *this;
+    }
     ~Buffer() { free(); }
 
     std::size_t size() const { return size_; }
@@ -33,6 +41,11 @@ public:
     void push_back(const Value& value) {
         resize(size_ + 1);
         values_[size_ - 1] = value;
+    }
+    /// Appends so many elements, to be written by the caller; returns the first.
+    Value* grow_by(std::size_t count) {
+        resize(size_ + count);
+        return values_ + (size_ - count);
     }
     void resize(std::size_t size) {
         if (size > capacity_) grow(std::max(size, 2 * capacity_));

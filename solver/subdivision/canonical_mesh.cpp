@@ -61,13 +61,13 @@ void number_edges(CanonicalMesh& out) {
         bucket.assign(buckets.items.begin() + buckets.start[low], buckets.items.begin() + buckets.start[low + 1]);
         std::sort(bucket.begin(), bucket.end(), [](const Item& a, const Item& b) { return a.high < b.high; });
         for (std::size_t i = 0; i < bucket.size(); ++i) {
-            if (i == 0 || bucket[i].high != bucket[i - 1].high) out.edge_ends.push_back({static_cast<int>(low), bucket[i].high});
-            out.records[bucket[i].slot / 6].edge[bucket[i].slot % 6] = out.edges() - 1;
+            if (i == 0 || bucket[i].high != bucket[i - 1].high) ++out.edges;
+            out.records[bucket[i].slot / 6].edge[bucket[i].slot % 6] = out.edges - 1;
         }
     }
 }
 
-void number_faces(CanonicalMesh& out) {
+void link_faces(CanonicalMesh& out) {
     struct Item {
         int middle, high, slot;  // 4 * tet + face
         bool same(const Item& other) const { return middle == other.middle && high == other.high; }
@@ -90,7 +90,6 @@ void number_faces(CanonicalMesh& out) {
         for (std::size_t i = 0; i < bucket.size(); ++i) {
             const int slot = bucket[i].slot;
             const bool known = i > 0 && bucket[i].same(bucket[i - 1]);
-            out.records[slot / 4].face[slot % 4] = known ? out.faces - 1 : out.faces++;
             out.records[slot / 4].opposite[slot % 4] = -1;
             if (!known) continue;
             if (i > 1 && bucket[i].same(bucket[i - 2])) throw std::invalid_argument("CanonicalMesh: three tets share a face");
@@ -112,7 +111,7 @@ CanonicalMesh::CanonicalMesh(const mesh::TetMesh& mesh) : records(mesh.tets.size
     }
     sort_tets(mesh, *this);
     number_edges(*this);
-    number_faces(*this);
+    link_faces(*this);
 }
 
 }  // namespace cleave::subdivision

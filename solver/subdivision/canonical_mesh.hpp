@@ -12,28 +12,25 @@ namespace cleave::subdivision {
 /// Four doubles in one register: x, y, z and something of the user's.
 using Vector4 __attribute__((vector_size(32))) = double;
 
-/// What the fast form knows about a mesh once and for all: vertices of each tet sorted by number, neighbours, edges and faces
+/// What the fast form knows about a mesh once and for all: vertices of each tet sorted by number, neighbours, edges
 /// numbered in the order of their sorted vertices. O(n) apart from sorting short lists per vertex.
 struct CanonicalMesh {
     explicit CanonicalMesh(const mesh::TetMesh& mesh);
 
     int tets() const { return static_cast<int>(records.size()); }
-    int edges() const { return static_cast<int>(edge_ends.size()); }
 
-    /// One tet, all that a cut asks of it side by side in memory.
-    struct Record {
+    /// One tet, all that a cut asks of it in one line of memory.
+    struct alignas(64) Record {
         std::array<int, 4> sorted;            ///< vertices ascending
         std::array<int, 4> opposite;          ///< behind the face opposite sorted vertex f: 4 * tet + face, or -1
         std::array<int, 6> edge;              ///< numbers of its edges, in the order of edge_ends of a tet
-        std::array<int, 4> face;              ///< numbers of its faces
         std::array<std::uint8_t, 4> position; ///< where sorted vertex i stands in the tet
         std::uint8_t odd;                     ///< the sorted order has the other orientation
     };
 
     LargeVector<Vector4> vertices;                    ///< x, y, z, shortest incident edge, m
     LargeVector<Record> records;                      ///< per tet
-    LargeVector<std::array<int, 2>> edge_ends;        ///< per edge: its vertices, ascending; edges in this order
-    int faces = 0;                                    ///< number of faces
+    int edges = 0;                                    ///< number of edges
 };
 
 }  // namespace cleave::subdivision

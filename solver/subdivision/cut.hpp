@@ -39,10 +39,13 @@ Cut checked(const Cut& cut);
 /// Throws std::invalid_argument for tau outside [0, 0.5).
 void require_valid_tau(double tau);
 
-/// Where the cut passes the edge from a (distance da) to b (db, of the other sign): a + da/(da-db) (b-a), m.
-/// Evaluated from the vertex of the smaller number, so that every tet around the edge gets the same bits.
+/// Where the cut passes the edge from a (distance da) to b (db, of the other sign), as a share of the edge.
+inline double edge_share(double da, double db) { return da / (da - db); }
+
+/// The point there: a + da/(da-db) (b-a), m. Evaluated from the vertex on the '+' side, so that every tet around the edge gets the
+/// same bits.
 inline Eigen::Vector3d edge_point(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double da, double db) {
-    return a + da / (da - db) * (b - a);
+    return a + edge_share(da, db) * (b - a);
 }
 
 /// Distance from a point to a triangle, m (Ericson, Real-Time Collision Detection, 2005, 5.1.5).

@@ -107,6 +107,8 @@ void audit_volumes(const mesh::TetMesh& original, const Subdivided& subdivided, 
         const int parent = subdivided.parent[tet];
         sums[parent] += volume;
         found.smallest_share = std::min(found.smallest_share, volume / mesh::tet_volume(original, parent));
+        found.stated_volume_error =
+            std::max(found.stated_volume_error, std::abs(subdivided.volume[tet] - volume) / std::pow(longest_edge(original, parent), 3));
     }
     for (std::size_t parent = 0; parent < sums.size(); ++parent) {
         const int tet = static_cast<int>(parent);
@@ -117,11 +119,21 @@ void audit_volumes(const mesh::TetMesh& original, const Subdivided& subdivided, 
 
 }  // namespace
 
+namespace {
+
+Triangle sorted_triangle(const mesh::TetMesh& mesh, int half_face) {
+    auto corners = mesh::face_of(mesh.tets[half_face / 4], half_face % 4);
+    std::sort(corners.begin(), corners.end());
+    return {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]};
+}
+
+}  // namespace
+
 void find_links(const mesh::TetMesh& original, Subdivided& subdivided) {
     subdivided.links = mesh::link_half_faces(subdivided.mesh);
     subdivided.extra_links.clear();
     for (const auto& [key, face] : loose_faces(original, subdivided)) {
-        link_pieces(face.low, face.high, triangle_of(original, face.half_face), subdivided.extra_links);
+        link_pieces(face.low, face.high, sorted_triangle(original, face.half_face), subdivided.extra_links);
     }
 }
 
@@ -130,6 +142,14 @@ void link_pieces(const FaceSide& low, const FaceSide& high, const Triangle& face
         const int a = low.half_faces[i], b = high.half_faces[j];
         links.push_back({std::min(a, b), std::max(a, b), area});
     };
+    if (low.count + high.count == 4) {
+        // One triangle beside three about its barycentre: thirds.
+        const double third = triangle_area(face) / 3;
+        for (int i = 0; i < low.count; ++i) {
+            for (int j = 0; j < high.count; ++j) add(i, j, third);
+        }
+        return;
+    }
     if (low.count == 1 || high.count == 1) {
         // One triangle covers the face: it shares with each piece all of that piece.
         for (int i = 0; i < low.count; ++i) {

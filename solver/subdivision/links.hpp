@@ -31,7 +31,7 @@ struct FaceSide {
 };
 
 /// Appends the extra links between the two sides of a face that does not conform, low by low, high by high. `low` is the side
-/// of the smaller original half face, `face` the whole face seen from there.
+/// of the smaller original half face, `face` the whole face, its corners in the order of their numbers.
 void link_pieces(const FaceSide& low, const FaceSide& high, const Triangle& face, std::vector<ExtraLink>& links);
 
 /// What a subdivided mesh breaks: worst figures over all half faces.
@@ -42,6 +42,7 @@ struct Audit {
     int paired_boundary = 0;      ///< half faces on the body's boundary with a partner
     double smallest_share = 1;    ///< smallest child volume / volume of its parent
     double volume_error = 0;      ///< worst | sum of the children - parent | / (longest edge of the parent)^3
+    double stated_volume_error = 0;  ///< worst | `volume` of a tet - that of its corners | / (longest edge of the parent)^3
 };
 
 /// Checks links, areas and volumes against the original mesh, by the positions of the vertices; parent and parent_face are only

@@ -1,11 +1,12 @@
 #include "solver/subdivision/plain_subdivision.hpp"
 
+#include "solver/subdivision/child_geometry.hpp"
 #include "solver/subdivision/links.hpp"
 #include "solver/subdivision/surface_tags.hpp"
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
+#include <cmath>
 #include <utility>
 
 namespace cleave::subdivision {
@@ -38,14 +39,13 @@ Counts PlainSubdivision::cut(const Cut& cut) {
     const std::vector<Vector3d> originals(mesh_.vertices.begin(), mesh_.vertices.begin() + static_cast<long>(shortest_edges_.size()));
     const std::vector<double> distances = vertex_distances(originals, shortest_edges_, cut, options_.tau);
     const std::vector<Parent> parents = parents_of(cut, distances);
-    const NewPoints points = create_points(parents, distances);
+    NewPoints points;
     Counts done;
     for (const Parent& parent : parents) {
-        const bool two_two = std::popcount(parent.plus_mask) == 2;
-        const int centre = two_two ? add_centre(parent, points) : -1;
-        add_children(parent, point_numbers(parent, points, centre));
+        const std::array<int, 15> numbers = make_points(parent, distances, points);
+        add_children(parent, numbers, volumes_of(parent, distances));
         is_cut_[parent.tet] = true;
-        (two_two ? done.two_two : done.three_one) += 1;
+        (std::popcount(parent.plus_mask) == 2 ? done.two_two : done.three_one) += 1;
     }
     counts_.three_one += done.three_one;
     counts_.two_two += done.two_two;
@@ -81,87 +81,101 @@ int PlainSubdivision::add_vertex(const Vector3d& position) {
     return static_cast<int>(mesh_.vertices.size()) - 1;
 }
 
-PlainSubdivision::NewPoints PlainSubdivision::create_points(const std::vector<Parent>& parents, const std::vector<double>& distances) {
-    NewPoints points;
-    create_edge_points(parents, distances, points);
-    create_face_points(parents, points);
-    return points;
-}
-
-void PlainSubdivision::create_edge_points(const std::vector<Parent>& parents, const std::vector<double>& distances, NewPoints& points) {
-    for (const Parent& parent : parents) {
-        const unsigned edges = cut_template(parent.plus_mask).edges;
-        for (int e = 0; e < 6; ++e) {
-            if ((edges >> e & 1U) != 0) points.edges[edge_of(parent.sorted, e)] = -1;
-        }
-    }
-    for (auto& [edge, number] : points.edges) {
-        const auto& [a, b] = edge;
-        number = add_vertex(edge_point(mesh_.vertices[a], mesh_.vertices[b], distances[a], distances[b]));
-    }
-}
-
-void PlainSubdivision::create_face_points(const std::vector<Parent>& parents, NewPoints& points) {
-    std::map<std::array<int, 3>, Vector3d> positions;  // of all new face points of this cut, to number them in sorted order
-    for (const Parent& parent : parents) {
-        const CutTemplate& cut = cut_template(parent.plus_mask);
-        for (int f = 0; f < 4; ++f) {
-            const std::array<int, 3> face = sorted_face(parent.sorted, f);
-            const auto& [a, b, c] = face;
-            if (f == cut.base_face) {
-                if (!barycentres_.contains(face)) positions[face] = (mesh_.vertices[a] + mesh_.vertices[b] + mesh_.vertices[c]) / 3;
-            } else if ((cut.quad_faces >> f & 1U) != 0) {
-                // The two vertices that share a side, then the two cut points, each pair in ascending order.
-                std::vector<Vector3d> same_side, cut_points;
-                for (const auto& [i, j] : {std::pair(a, b), std::pair(a, c), std::pair(b, c)}) {
-                    const auto cut_point = points.edges.find({i, j});
-                    if (cut_point != points.edges.end()) cut_points.push_back(mesh_.vertices[cut_point->second]);
-                    else same_side = {mesh_.vertices[i], mesh_.vertices[j]};
-                }
-                positions[face] = ((same_side.at(0) + same_side.at(1)) + (cut_points.at(0) + cut_points.at(1))) / 4;
-                points.quads[face] = -1;
-            }
-        }
-    }
-    for (const auto& [face, position] : positions) {
-        const int number = add_vertex(position);
-        const auto quad = points.quads.find(face);
-        (quad != points.quads.end() ? quad->second : barycentres_[face]) = number;
-    }
-}
-
-int PlainSubdivision::add_centre(const Parent& parent, const NewPoints& points) {
-    std::vector<Vector3d> ring;
-    for (int e = 0; e < 6; ++e) {
-        const auto cut_point = points.edges.find(edge_of(parent.sorted, e));
-        if (cut_point != points.edges.end()) ring.push_back(mesh_.vertices[cut_point->second]);
-    }
-    return add_vertex((((ring.at(0) + ring.at(1)) + ring.at(2)) + ring.at(3)) / 4);
-}
-
-std::array<int, 15> PlainSubdivision::point_numbers(const Parent& parent, const NewPoints& points, int centre) const {
+/// The numbers of all points of a parent, by code; makes those that no parent before it made.
+std::array<int, 15> PlainSubdivision::make_points(const Parent& parent, const std::vector<double>& distances, NewPoints& points) {
     const CutTemplate& cut = cut_template(parent.plus_mask);
     std::array<int, 15> numbers;
     numbers.fill(-1);
     std::copy(parent.sorted.begin(), parent.sorted.end(), numbers.begin());
-    for (int e = 0; e < 6; ++e) {
-        if ((cut.edges >> e & 1U) != 0) numbers[first_edge_code + e] = points.edges.at(edge_of(parent.sorted, e));
+    for (const PointCode code : cut.points) {
+        const int face = code - first_face_code;
+        numbers[code] = code < first_face_code ? edge_point_of(parent, code - first_edge_code, distances, points)
+                        : code == centre_code  ? centre_of(cut, numbers)
+                        : face == cut.base_face ? base_point_of(parent, face)
+                                                : quad_point_of(parent, face, numbers, points);
     }
-    for (int f = 0; f < 4; ++f) {
-        const std::array<int, 3> face = sorted_face(parent.sorted, f);
-        if (f == cut.base_face) numbers[first_face_code + f] = barycentres_.at(face);
-        if ((cut.quad_faces >> f & 1U) != 0) numbers[first_face_code + f] = points.quads.at(face);
-    }
-    numbers[centre_code] = centre;
     return numbers;
 }
 
-void PlainSubdivision::add_children(const Parent& parent, const std::array<int, 15>& numbers) {
-    for (const ChildTemplate& shape : cut_template(parent.plus_mask).children) {
+int PlainSubdivision::edge_point_of(const Parent& parent, int edge, const std::vector<double>& distances, NewPoints& points) {
+    const auto [known, is_new] = points.edges.emplace(edge_of(parent.sorted, edge), -1);
+    if (is_new) {
+        auto [plus, minus] = known->first;
+        if (distances[minus] >= 0) std::swap(plus, minus);
+        known->second = add_vertex(edge_point(mesh_.vertices[plus], mesh_.vertices[minus], distances[plus], distances[minus]));
+    }
+    return known->second;
+}
+
+int PlainSubdivision::quad_point_of(const Parent& parent, int face, const std::array<int, 15>& numbers, NewPoints& points) {
+    const auto [known, is_new] = points.quads.emplace(sorted_face(parent.sorted, face), -1);
+    if (is_new) {
+        // The two vertices that share a side, then the two cut points.
+        std::vector<Vector3d> same_side, cut_points;
+        for (int e = 0; e < 6; ++e) {
+            const auto& [i, j] = edge_ends[e];
+            if (i == face || j == face) continue;
+            const int cut_point = numbers[first_edge_code + e];
+            if (cut_point >= 0) cut_points.push_back(mesh_.vertices[cut_point]);
+            else same_side = {mesh_.vertices[parent.sorted[i]], mesh_.vertices[parent.sorted[j]]};
+        }
+        known->second = add_vertex(((same_side.at(0) + same_side.at(1)) + (cut_points.at(0) + cut_points.at(1))) / 4);
+    }
+    return known->second;
+}
+
+int PlainSubdivision::base_point_of(const Parent& parent, int face) {
+    const auto [known, is_new] = barycentres_.emplace(sorted_face(parent.sorted, face), -1);
+    if (is_new) {
+        const auto& [a, b, c] = known->first;
+        known->second = add_vertex(((mesh_.vertices[a] + mesh_.vertices[b]) + mesh_.vertices[c]) / 3);
+    }
+    return known->second;
+}
+
+int PlainSubdivision::centre_of(const CutTemplate& cut, const std::array<int, 15>& numbers) {
+    const auto point = [&](int k) { return mesh_.vertices[numbers[cut.points[k]]]; };
+    return add_vertex(((point(0) + point(1)) + (point(2) + point(3))) / 4);
+}
+
+/// Of the children, by the shares at which the edges are cut.
+std::vector<double> PlainSubdivision::volumes_of(const Parent& parent, const std::vector<double>& distances) const {
+    std::array<Vector3d, 4> corners;
+    std::array<double, 4> at{};
+    for (int i = 0; i < 4; ++i) {
+        const int vertex = parent.sorted[cut_template(parent.plus_mask).roles[i]];
+        corners[i] = mesh_.vertices[vertex];
+        at[i] = distances[vertex];
+    }
+    const double volume = std::abs(mesh::signed_volume(corners[0], corners[1], corners[2], corners[3]));
+    if (std::popcount(parent.plus_mask) == 2) {
+        std::array<double, 4> minus{}, plus{};
+        for (int edge = 0; edge < 4; ++edge) {
+            minus[edge] = edge_share(at[edge / 2], at[2 + edge % 2]);
+            plus[edge] = 1 - minus[edge];
+        }
+        const auto volumes = two_two_volumes(volume, minus, plus);
+        return {volumes.begin(), volumes.end()};
+    }
+    std::array<double, 3> away{}, back{};  // shares from the lone vertex to the base's
+    for (int i = 0; i < 3; ++i) {
+        const bool lone_plus = at[0] >= 0;
+        const double from_plus = lone_plus ? edge_share(at[0], at[1 + i]) : edge_share(at[1 + i], at[0]);
+        away[i] = lone_plus ? from_plus : 1 - from_plus;
+        back[i] = lone_plus ? 1 - from_plus : from_plus;
+    }
+    const auto volumes = three_one_volumes(volume, away, back);
+    return {volumes.begin(), volumes.end()};
+}
+
+void PlainSubdivision::add_children(const Parent& parent, const std::array<int, 15>& numbers, const std::vector<double>& volumes) {
+    const std::vector<ChildTemplate>& shapes = cut_template(parent.plus_mask).children;
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        const ChildTemplate& shape = shapes[k];
         std::array<PointCode, 4> codes = shape.points;
         if (parent.odd) std::swap(codes[2], codes[3]);
         Child child{.vertices = {}, .parent_face = {-1, -1, -1, -1}, .parent = parent.tet, .cut = cuts_,
-                    .side = static_cast<std::int8_t>(shape.side)};
+                    .side = static_cast<std::int8_t>(shape.side), .volume = volumes[k]};
         for (int i = 0; i < 4; ++i) child.vertices[i] = numbers[codes[i]];
         for (int face = 0; face < 4; ++face) {
             unsigned common = 15;
@@ -192,14 +206,18 @@ Subdivided PlainSubdivision::result() const {
     out.mesh.region_names = mesh_.region_names;
     out.mesh.surface_names = mesh_.surface_names;
     for (std::size_t tet = 0; tet < mesh_.tets.size(); ++tet) {
-        if (!is_cut_[tet]) append(out, mesh_.tets[tet], static_cast<int>(tet), -1, 0, {0, 1, 2, 3});
+        if (is_cut_[tet]) continue;
+        append(out, mesh_.tets[tet], static_cast<int>(tet), -1, 0, {0, 1, 2, 3});
+        out.volume.push_back(mesh::tet_volume(mesh_, static_cast<int>(tet)));
+        out.centroid.push_back(mesh::tet_centroid(mesh_, static_cast<int>(tet)));
     }
-    for (const Child& child : children_) append(out, child.vertices, child.parent, child.cut, child.side, child.parent_face);
-    for (std::size_t tet = 0; tet < out.parent.size(); ++tet) {
-        out.mesh.regions.push_back(mesh_.regions[out.parent[tet]]);
-        out.volume.push_back(mesh::tet_volume(out.mesh, static_cast<int>(tet)));
-        out.centroid.push_back(mesh::tet_centroid(out.mesh, static_cast<int>(tet)));
+    for (const Child& child : children_) {
+        append(out, child.vertices, child.parent, child.cut, child.side, child.parent_face);
+        const auto& [a, b, c, d] = child.vertices;
+        out.volume.push_back(child.volume);
+        out.centroid.push_back(child_centroid(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c], mesh_.vertices[d]));
     }
+    for (const int parent : out.parent) out.mesh.regions.push_back(mesh_.regions[parent]);
     out.mesh.surface = cut_surface(mesh_, out);
     find_links(mesh_, out);
     return out;

@@ -39,6 +39,7 @@ private:
         int parent;
         int cut;
         std::int8_t side;
+        double volume;
     };
     /// Sorted vertices of an edge or face -> number of its point, for one cut.
     struct NewPoints {
@@ -47,12 +48,13 @@ private:
     };
 
     std::vector<Parent> parents_of(const Cut& cut, const std::vector<double>& distances) const;
-    NewPoints create_points(const std::vector<Parent>& parents, const std::vector<double>& distances);
-    void create_edge_points(const std::vector<Parent>& parents, const std::vector<double>& distances, NewPoints& points);
-    void create_face_points(const std::vector<Parent>& parents, NewPoints& points);
-    std::array<int, 15> point_numbers(const Parent& parent, const NewPoints& points, int centre) const;
-    void add_children(const Parent& parent, const std::array<int, 15>& numbers);
-    int add_centre(const Parent& parent, const NewPoints& points);
+    std::array<int, 15> make_points(const Parent& parent, const std::vector<double>& distances, NewPoints& points);
+    int edge_point_of(const Parent& parent, int edge, const std::vector<double>& distances, NewPoints& points);
+    int quad_point_of(const Parent& parent, int face, const std::array<int, 15>& numbers, NewPoints& points);
+    int base_point_of(const Parent& parent, int face);
+    int centre_of(const CutTemplate& cut, const std::array<int, 15>& numbers);
+    std::vector<double> volumes_of(const Parent& parent, const std::vector<double>& distances) const;
+    void add_children(const Parent& parent, const std::array<int, 15>& numbers, const std::vector<double>& volumes);
     int add_vertex(const Eigen::Vector3d& position);
 
     mesh::TetMesh mesh_;                            ///< vertices grow; tets stay the original ones

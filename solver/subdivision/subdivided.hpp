@@ -25,8 +25,8 @@ struct Counts {
 };
 
 /// A subdivided mesh. Tets: first the parents left whole, in their order; then the children, cut by cut, parent by parent.
-/// Vertices: first those of the original mesh; then, cut by cut, edge points (sorted by the edge's vertices), barycentres of
-/// faces (sorted by the face's vertices), barycentres of 2-2 tets (by parent).
+/// Vertices: first those of the original mesh; then, cut by cut, parent by parent, those of its points that no parent before it
+/// made, in the order of CutTemplate::points.
 struct Subdivided {
     mesh::TetMesh mesh;
     std::vector<int> parent;                ///< per tet: its tet in the original mesh

@@ -3,9 +3,13 @@
 #include "solver/mesh/tet_mesh.hpp"
 #include "solver/subdivision/buffer.hpp"
 #include "solver/subdivision/canonical_mesh.hpp"
+#include "solver/subdivision/child_writer.hpp"
 #include "solver/subdivision/cut.hpp"
+#include "solver/subdivision/cutting_plane.hpp"
 #include "solver/subdivision/links.hpp"
 #include "solver/subdivision/options.hpp"
+#include "solver/subdivision/parent_layout.hpp"
+#include "solver/subdivision/parent_plan.hpp"
 #include "solver/subdivision/piece_tables.hpp"
 #include "solver/subdivision/sparse_bits.hpp"
 #include "solver/subdivision/subdivided.hpp"
@@ -19,23 +23,6 @@
 
 namespace cleave::subdivision {
 
-/// A cut's plane as plain numbers.
-struct SubdivisionPlane {
-    std::array<double, 3> normal, centre;
-    double tau;
-    double distance(const Vector4& x) const {
-        return (normal[0] * (x[0] - centre[0]) + normal[1] * (x[1] - centre[1])) + normal[2] * (x[2] - centre[2]);
-    }
-    /// vertex_distances of one vertex; x[3] is its shortest edge.
-    double raised(const Vector4& x) const {
-        const double d = distance(x), least = tau * x[3];
-        const double size = d >= 0 ? d : -d;
-        const double up = size > least ? size : least;
-        return d >= 0 ? up : -up;
-    }
-};
-
-
 /// The tets that a cut may subdivide: all, or those with one label (a fragment's), or of these those of one region.
 struct Among {
     const int* labels = nullptr;  ///< per original tet; none: all tets
@@ -45,7 +32,8 @@ struct Among {
     bool has(int tet) const { return (labels == nullptr || labels[tet] == label) && (regions == nullptr || regions[tet] == region); }
 };
 
-/// The fast form of PlainSubdivision, equal to it to the bit. Original tets keep their numbers 0 .. n-1; children are numbered
+/// The fast form of PlainSubdivision, equal to it to the bit. A cut goes in four steps: finding the parents (TetBoxes), planning (numbers of
+/// points and children, in one pass), writing the children (child_writer), links of faces that do not conform. Original tets keep their numbers 0 .. n-1; children are numbered
 /// from n on, cut by cut, parent by parent, and stand in arrays of their own, so that a cut costs what it cuts and not what the
 /// body has. A child's neighbour is read from tables: vertices of each tet are taken in sorted order, hence the two tets at a
 /// face number its pieces alike, and nothing is hashed or matched. Threads share out chunks of parents whose places in the output
@@ -74,7 +62,7 @@ public:
     int originals() const { return canonical_.tets(); }
     const CanonicalMesh& canonical() const { return canonical_; }
     /// Of a cut tet: how it was divided, and its first child (counted among the children).
-    const PieceTable& pieces(int tet) const { return *states_[tet].pieces; }
+    const PieceTable& pieces(int tet) const { return tables_[states_[tet].layout]; }
     int first_child(int tet) const { return states_[tet].first_child; }
     /// +1 or -1: the side of its cut.
     int side(int child) const { return pieces(child_parents_[child]).side[child - first_child(child_parents_[child])]; }
@@ -86,67 +74,58 @@ public:
     int original_half_face(int half_face) const;
 
     /// Extra links of all cuts so far, found anew at each call.
-    void find_extra_links(std::vector<ExtraLink>& links) const;
+    void find_extra_links(Buffer<ExtraLink>& links) const;
 
     /// Everything as PlainSubdivision gives it (tets renumbered, arrays copied: not fast).
     Subdivided result() const;
 
 private:
     struct State {
-        const PieceTable* pieces = nullptr;  ///< how the tet is divided
-        int cut = -1;                        ///< the cut that divided it, -1: whole
-        int first_child = 0;                 ///< among the children
+        int cut = -1;            ///< the cut that divided it, -1: whole
+        int first_child = 0;     ///< among the children
+        int place = 0;           ///< among the parents of that cut
+        unsigned layout = 0;     ///< how it is divided: 2 * sign pattern + odd
     };
-    void find_parents(const Cut& cut, const SubdivisionPlane& plane, const Among& among);
-    void scan_all(const Cut& cut, const SubdivisionPlane& plane, const Among& among);
-    void scan_near(const Cut& cut, const SubdivisionPlane& plane, const Among& among);
-    void add_parent(int tet, unsigned plus_mask);
-    bool test_near(const Cut& cut, const SubdivisionPlane& plane, const Among& among, int tet, const std::array<int, 4>& corners);
-    void find_near_together(const Cut& cut, const SubdivisionPlane& plane, const Among& among);
-    bool passes_disc(const Cut& cut, const SubdivisionPlane& plane, int tet) const;
-    void mark_points();
-    void fetch_ahead(std::size_t place) const;
-    void number_points(const SubdivisionPlane& plane, int centres);
-    void write_edge_points(const SubdivisionPlane& plane, std::size_t first, std::size_t last);
-    void write_all_parents(const SubdivisionPlane& plane);
-    void write_parents(const SubdivisionPlane& plane, std::size_t chunk, Buffer<int>& loose);
+    void find_parents(const Cut& cut, const CuttingPlane& plane, const Among& among);
+    bool may_divide(const Cut& cut, const CuttingPlane& plane, const Among& among, int tet) const;
+    void find_near_together(const Cut& cut, const CuttingPlane& plane, const Among& among);
+    bool passes_disc(const Cut& cut, const CuttingPlane& plane, int tet) const;
+    void plan_parents();
+    void plan_parent(std::size_t place, int& next_point);
     template <int cuts>
-    void mark_parent(const PieceTable& pieces, int tet);
+    void number_points(const ParentLayout& layout, const CanonicalMesh::Record& record, ParentPlan& plan, int& next_point);
+    bool number_base(ParentPlan& plan, int next_point);
+    void write_all_parents(const CuttingPlane& plane);
+    void write_parents(const CuttingPlane& plane, std::size_t chunk, Buffer<int>& loose);
     template <int cuts>
-    void write_parent(const SubdivisionPlane& plane, int tet, int centre, Buffer<int>& loose);
-    template <int count>
-    void write_children(const PieceTable& pieces, int tet, const double* corners, const int* numbers);
-    void link_face(const State& here, int tet, int face, Buffer<int>& loose);
-    void link_face_across_cuts(const State& here, int tet, int face, Buffer<int>& loose);
-    void set_face_point(int tet, int face, int number, const Vector4& x);
-    int child_half_face(int tet, int relative) const { return 4 * (canonical_.tets() + states_[tet].first_child) + relative; }
+    void find_outer_links(const ParentPlan& plan, const ParentLayout& layout, OuterLinks& outer, Buffer<int>& loose);
+    bool find_base_links(const ParentPlan& plan, const ParentLayout& layout, OuterLinks& outer);
+    const ParentLayout& layout(int tet) const { return layouts_[states_[tet].layout]; }
+    int first_half_face(const State& state) const { return 4 * (canonical_.tets() + state.first_child); }
     class Renumbering;
     void append_whole(int tet, const Renumbering& renumbering, Subdivided& out) const;
     void append_child(std::size_t child, const Renumbering& renumbering, Subdivided& out) const;
     Triangle triangle(const std::array<int, 4>& tet, int face) const;
     FaceSide face_side(int tet, int sorted_face) const;
-    void link_base(int whole_half_face, int tet, std::vector<ExtraLink>& links) const;
-    void link_loose_face(int tet, int face, std::vector<ExtraLink>& links) const;
-    void link_loose_faces(std::size_t first, std::size_t last, std::vector<ExtraLink>& links) const;
+    void link_base(int whole_half_face, int tet, Buffer<ExtraLink>& links) const;
+    void link_loose_face(int tet, int face, Buffer<ExtraLink>& links) const;
+    void link_loose_faces(std::size_t first, std::size_t last, Buffer<ExtraLink>& links) const;
 
     const PieceTable* tables_;
+    const ParentLayout* layouts_;
     CanonicalMesh canonical_;
-    TetBoxes boxes_;                 ///< empty for small meshes
+    TetBoxes boxes_;
     mesh::TetMesh original_;
     Options options_;
     LargeVector<State> states_;
-    LargeVector<int> base_number_;   ///< per face: its barycentre as an uncut face, -1: none yet
-    std::vector<std::array<int, 4>> scanned_;  ///< small meshes: the tets' sorted vertices, close together
-    std::vector<std::uint8_t> plus_;  ///< small meshes, per vertex: its side, of the current cut
-    Buffer<int> cut_edges_;          ///< of the current cut
-    RankedBits edges_, faces_;       ///< with new points in the current cut: a point's number follows from its rank
+    LargeVector<int> edge_point_;    ///< per edge: the number of its last cut point; one of an earlier cut is below first_point_
     SparseBits found_;               ///< parents of the current cut, before they are listed
+    Buffer<ParentPlan> plans_;       ///< of the current cut
     Buffer<int> parents_;            ///< of all cuts
     Buffer<int> loose_;              ///< faces (4 * tet + face) of parents that did not conform when the parent was cut
     std::size_t first_parent_ = 0;   ///< of the current cut
     int first_new_child_ = 0;        ///< of the current cut
-    int first_edge_point_ = 0, first_face_point_ = 0, first_centre_ = 0;  ///< numbers of the current cut
-    std::vector<int> chunk_centres_; ///< of the current cut: the first centre's number in each chunk of parents
+    int first_point_ = 0;            ///< of the current cut
     std::vector<Buffer<int>> chunk_loose_;     ///< per chunk: its loose faces, where several threads write
     Workers workers_;
     int cuts_ = 0;                   ///< so far; the current cut's number

@@ -19,6 +19,7 @@ public:
         if (plus == 0 || plus == 4) return;
         mark_cuts();
         plus == 2 ? build_two_two() : build_three_one(plus == 1 ? 1 : -1);
+        list_points();
     }
 
     CutTemplate result() && { return std::move(template_); }
@@ -92,9 +93,29 @@ private:
         }
     }
 
+    void set_roles(const std::vector<int>& first, const std::vector<int>& second) {
+        std::copy(second.begin(), second.end(), std::copy(first.begin(), first.end(), template_.roles.begin()));
+        for (const int i : first) {
+            for (const int j : second) template_.points.push_back(edge_code(i, j));
+        }
+    }
+
+    /// After the cut points: the others, as the children name them.
+    void list_points() {
+        std::vector<PointCode>& points = template_.points;
+        const auto last = template_.centre ? centre_code : static_cast<PointCode>(first_face_code + template_.base_face);
+        for (const ChildTemplate& child : template_.children) {
+            for (const PointCode code : child.points) {
+                if (code >= first_face_code && code != last && std::find(points.begin(), points.end(), code) == points.end()) points.push_back(code);
+            }
+        }
+        points.push_back(last);
+    }
+
     void build_three_one(int apex_side) {
         const int a = vertices_on(apex_side)[0];
         const std::vector<int> base = vertices_on(-apex_side);
+        set_roles({a}, base);
         const std::array<PointCode, 3> cut{edge_code(a, base[0]), edge_code(a, base[1]), edge_code(a, base[2])};
         const auto c = static_cast<PointCode>(first_face_code + template_.base_face);
         add({static_cast<PointCode>(a), cut[0], cut[1], cut[2]}, apex_side);
@@ -106,6 +127,7 @@ private:
 
     void build_two_two() {
         template_.centre = true;
+        set_roles(vertices_on(1), vertices_on(-1));
         for (const int side : {1, -1}) {
             const std::vector<int> here = vertices_on(side), there = vertices_on(-side);
             for (const int a : here) add({static_cast<PointCode>(a), edge_code(a, there[0]), edge_code(a, there[1]), centre_code}, side);

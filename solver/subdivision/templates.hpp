@@ -33,6 +33,13 @@ struct CutTemplate {
     unsigned quad_faces = 0;              ///< bit f: face f is cut (and has a quadrilateral with a barycentre)
     int base_face = -1;                   ///< 3-1: the uncut face, which has a barycentre; -1 else
     bool centre = false;                  ///< 2-2: has the mean of its cut points
+    /// The sorted vertices by their part in the cut: 3-1: the lone one, then the others, ascending; 2-2: the two '+', then the two
+    /// '-', both ascending. All 3-1 templates are one, and all 2-2 ones, when told in these.
+    std::array<int, 4> roles{};
+    /// The points that a cut makes, in the order in which a parent makes those that no parent before it made: cut points (3-1: of
+    /// the lone vertex and each other; 2-2: ++ by --), barycentres of quadrilaterals (in the order of the children), then that of
+    /// the base or the mean of the cut points.
+    std::vector<PointCode> points;
 };
 
 /// The template of a sign pattern: bit i is set where sorted vertex i is on the '+' side; 0 and 15 have no children.

@@ -25,42 +25,110 @@ std::vector<int> along_curve(const CanonicalMesh& mesh) {
     std::vector<Eigen::Vector3d> centres;
     centres.reserve(mesh.tets());
     for (const CanonicalMesh::Record& tet : mesh.records) {
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (const int v : tet.sorted) sum += Eigen::Vector3d(mesh.vertices[v][0], mesh.vertices[v][1], mesh.vertices[v][2]);
-        centres.push_back(sum / 4);
+        const Vector4* x = mesh.vertices.data();
+        const Vector4 sum = (x[tet.sorted[0]] + x[tet.sorted[1]]) + (x[tet.sorted[2]] + x[tet.sorted[3]]);
+        centres.emplace_back(sum[0], sum[1], sum[2]);
     }
     return mesh::morton_order(centres);
 }
 
 }  // namespace
 
+/// Puts tets into boxes, one after another.
+class TetBoxes::Filler {
+public:
+    Filler(TetBoxes& boxes, const CanonicalMesh& mesh) : boxes_(boxes), mesh_(mesh), known_(mesh.vertices.size(), {-1, 0}) {
+        boxes_.spans_.push_back({0, 0});
+        boxes_.levels_.emplace_back();
+    }
+
+    void add(int tet) {
+        const auto& sorted = mesh_.records[tet].sorted;
+        const auto fresh = std::count_if(sorted.begin(), sorted.end(), [&](int v) { return known_[v].box != box(); });
+        if (tets_ == most || vertices_.size() + static_cast<std::size_t>(fresh) > most) close();
+        Item item{tet, {}};
+        std::uint64_t members = 0;
+        for (int k = 0; k < 4; ++k) {
+            item.corner[k] = number_of(sorted[k]);
+            members |= std::uint64_t{1} << item.corner[k];
+        }
+        boxes_.items_.push_back(item);
+        boxes_.members_.push_back(members);
+        ++tets_;
+    }
+
+    void close() {
+        if (tets_ == 0) return;
+        Bounds bounds;
+        for (const int v : vertices_) {
+            for (int axis = 0; axis < 3; ++axis) bounds.add(axis, mesh_.vertices[v][axis], mesh_.vertices[v][axis]);
+        }
+        while (vertices_.size() % 4 != 0) vertices_.push_back(vertices_.back());
+        for (std::size_t i = 0; i < vertices_.size(); i += 4) {
+            const Vector4* x = mesh_.vertices.data();
+            const FourVertices four(x[vertices_[i]], x[vertices_[i + 1]], x[vertices_[i + 2]], x[vertices_[i + 3]]);
+            boxes_.corners_.push_back({four.x, four.y, four.z});
+        }
+        while (boxes_.items_.size() % 4 != 0) {
+            boxes_.items_.push_back({-1, {}});
+            boxes_.members_.push_back(0);
+        }
+        boxes_.spans_.push_back({boxes_.corners_.size(), boxes_.items_.size()});
+        boxes_.levels_[0].push_back(box_of(bounds));
+        vertices_.clear();
+        tets_ = 0;
+    }
+
+    static Box box_of(const Bounds& bounds) {
+        Box box{};
+        for (int axis = 0; axis < 3; ++axis) {
+            box.centre[axis] = 0.5 * (bounds.low[axis] + bounds.high[axis]);
+            box.half[axis] = 0.5 * (bounds.high[axis] - bounds.low[axis]);
+        }
+        return box;
+    }
+
+private:
+    static constexpr std::size_t most = 64;
+    int box() const { return static_cast<int>(boxes_.levels_[0].size()); }
+
+    std::uint8_t number_of(int vertex) {
+        auto& [in_box, number] = known_[vertex];
+        if (in_box != box()) {
+            in_box = box();
+            number = static_cast<int>(vertices_.size());
+            vertices_.push_back(vertex);
+        }
+        return static_cast<std::uint8_t>(number);
+    }
+
+    struct Known {
+        int box, number;
+    };
+    TetBoxes& boxes_;
+    const CanonicalMesh& mesh_;
+    std::vector<Known> known_;    ///< per vertex: the last box that had it, and its number there
+    std::vector<int> vertices_;   ///< of the open box
+    std::size_t tets_ = 0;        ///< in the open box
+};
+
 TetBoxes::TetBoxes(const CanonicalMesh& mesh) {
-    items_.reserve(mesh.records.size());
-    for (const int tet : along_curve(mesh)) items_.push_back({tet, mesh.records[tet].sorted});
-    const auto make_level = [&](std::size_t items, const auto& add_item) {
-        std::vector<Box> boxes((items + 63) / 64);
+    Filler filler(*this, mesh);
+    for (const int tet : along_curve(mesh)) filler.add(tet);
+    filler.close();
+    while (levels_.back().size() > 64) {
+        const std::vector<Box>& below = levels_.back();
+        std::vector<Box> boxes((below.size() + 63) / 64);
         for (std::size_t box = 0; box < boxes.size(); ++box) {
             Bounds bounds;
-            for (std::size_t i = 64 * box; i < std::min(64 * box + 64, items); ++i) add_item(bounds, i);
-            for (int axis = 0; axis < 3; ++axis) {
-                boxes[box].centre[axis] = 0.5 * (bounds.low[axis] + bounds.high[axis]);
-                boxes[box].half[axis] = 0.5 * (bounds.high[axis] - bounds.low[axis]);
+            for (std::size_t i = 64 * box; i < std::min(64 * box + 64, below.size()); ++i) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    bounds.add(axis, below[i].centre[axis] - below[i].half[axis], below[i].centre[axis] + below[i].half[axis]);
+                }
             }
+            boxes[box] = Filler::box_of(bounds);
         }
         levels_.push_back(std::move(boxes));
-    };
-    make_level(items_.size(), [&](Bounds& bounds, std::size_t i) {
-        for (const int v : items_[i].sorted) {
-            for (int axis = 0; axis < 3; ++axis) bounds.add(axis, mesh.vertices[v][axis], mesh.vertices[v][axis]);
-        }
-    });
-    while (levels_.back().size() > 64) {
-        const std::vector<Box> below = levels_.back();
-        make_level(below.size(), [&](Bounds& bounds, std::size_t i) {
-            for (int axis = 0; axis < 3; ++axis) {
-                bounds.add(axis, below[i].centre[axis] - below[i].half[axis], below[i].centre[axis] + below[i].half[axis]);
-            }
-        });
     }
 }
 

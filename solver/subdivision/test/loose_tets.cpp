@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace cleave::subdivision::test {
@@ -40,6 +41,8 @@ long cut_loose_tets(Random& random, int batches) {
         cut += out.counts.three_one + out.counts.two_two;
         const Audit found = audit(mesh, out);
         EXPECT_LE(found.volume_error, 1e-14);
+        EXPECT_LE(found.stated_volume_error, 1e-14);
+        EXPECT_GT(*std::min_element(out.volume.begin(), out.volume.end()), 0);
         EXPECT_GT(found.smallest_share, 0);
         EXPECT_EQ(found.unpaired + found.asymmetric + found.paired_boundary, 0);
         EXPECT_LE(found.worst_area_error, 1e-11);  // equal faces; needle-thin triangles of slivers lose digits in their area

@@ -12,6 +12,7 @@ void expect_sound(const mesh::TetMesh& mesh, const Subdivided& out) {
     const Audit found = audit(mesh, out);
     EXPECT_LE(found.worst_area_error, 1e-12);
     EXPECT_LE(found.volume_error, 1e-14);
+    EXPECT_LE(found.stated_volume_error, 1e-14);
     EXPECT_EQ(found.asymmetric, 0);
     EXPECT_EQ(found.unpaired, 0);
     EXPECT_EQ(found.paired_boundary, 0);

@@ -100,6 +100,17 @@ void link_faces(CanonicalMesh& out) {
     }
 }
 
+void note_positions_behind(CanonicalMesh& out) {
+    for (CanonicalMesh::Record& record : out.records) {
+        unsigned packed = 0;
+        for (int f = 0; f < 4; ++f) {
+            const int behind = record.opposite[f];
+            if (behind >= 0) packed |= static_cast<unsigned>(out.records[behind / 4].position[behind % 4]) << 2 * f;
+        }
+        record.behind = static_cast<std::uint8_t>(packed);
+    }
+}
+
 }  // namespace
 
 CanonicalMesh::CanonicalMesh(const mesh::TetMesh& mesh) : records(mesh.tets.size()) {
@@ -112,6 +123,7 @@ CanonicalMesh::CanonicalMesh(const mesh::TetMesh& mesh) : records(mesh.tets.size
     sort_tets(mesh, *this);
     number_edges(*this);
     link_faces(*this);
+    note_positions_behind(*this);
 }
 
 }  // namespace cleave::subdivision

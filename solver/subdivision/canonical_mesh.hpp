@@ -26,6 +26,9 @@ struct CanonicalMesh {
         std::array<int, 6> edge;              ///< numbers of its edges, in the order of edge_ends of a tet
         std::array<std::uint8_t, 4> position; ///< where sorted vertex i stands in the tet
         std::uint8_t odd;                     ///< the sorted order has the other orientation
+        std::uint8_t behind;                  ///< see position_behind
+        /// Where the vertex opposite the face behind sorted face f stands in its tet: `position` of that tet, packed into two bits.
+        int position_behind(int f) const { return behind >> 2 * f & 3; }
     };
 
     LargeVector<Vector4> vertices;                    ///< x, y, z, shortest incident edge, m

@@ -75,42 +75,41 @@ void store_points(const ParentPlan& plan, const std::array<const Vector4*, count
 
 /// Corners and links of two children at a time.
 template <int pairs>
-void write_numbers(const ParentPlan& plan, const OuterLinks& outer, const ChildPattern& pattern, int first_half_face, const ChildArrays& out) {
+inline void write_numbers(const ParentPlan& plan, const ChildPattern& pattern, int first_half_face, const ChildArrays& out) {
+    std::array<int, 4>*__restrict tets = out.tets, *__restrict links = out.links;
     const __m256i corners = load<__m256i>(&plan.corner), faces = load<__m256i>(&plan.face_point);
     const Int8 first = Int8{} + first_half_face, unlinked = Int8{} - 1;
-    [&]<std::size_t... p>(std::index_sequence<p...>) {
-        const auto write = [&]<std::size_t pair>() {
-            const __m256i from_corners = _mm256_permutevar8x32_epi32(corners, load<__m256i>(&pattern.from_corners[pair]));
-            const __m256i from_faces = _mm256_permutevar8x32_epi32(faces, load<__m256i>(&pattern.from_faces[pair]));
-            constexpr bool in_ring = pairs == 7 ? pair > 0 : pair % 5 != 0;
-            __m256i tets;
-            if constexpr (in_ring) tets = _mm256_blend_epi32(from_corners, from_faces, 0b11001100);
-            else tets = _mm256_blendv_epi8(from_corners, from_faces, load<__m256i>(&pattern.takes_face[pair]));
-            std::memcpy(out.tets + 2 * pair, &tets, sizeof tets);
-            Int8 links = first + load<Int8>(&pattern.inner[pair]);
-            if constexpr (in_ring) {
-                constexpr std::size_t ring = pairs == 7 ? (pair - 1) / 2 : 2 * (pair / 5) + (pair % 5 - 1) / 2;
-                const Int8 behind = outer.ring[ring] + load<Int8>(&pattern.outer[pair]);
-                links = load<Int8>(&pattern.is_outer[pair]) ? (behind > unlinked ? behind : unlinked) : links;
-            }
-            std::memcpy(out.links + 2 * pair, &links, sizeof links);
-        };
-        (write.template operator()<p>(), ...);
-    }(std::make_index_sequence<pairs>());
-    int* links = out.links->data();
+    const auto write = [&]<std::size_t pair>() {
+        constexpr bool in_ring = pairs == 7 ? pair > 0 : pair % 5 != 0;
+        constexpr std::size_t ring = pairs == 7 ? (pair - 1) / 2 : 2 * (pair / 5) + (pair % 5 - 1) / 2;
+        constexpr std::size_t first_of_ring = pairs == 7 ? 1 + 2 * ring : 1 + 2 * ring + ring / 2;
+        const __m256i from_corners = _mm256_permutevar8x32_epi32(corners, load<__m256i>(&pattern.from_corners[pair]));
+        // The barycentre and the apex stand at the same corners all around a ring.
+        const __m256i from_faces = _mm256_permutevar8x32_epi32(faces, load<__m256i>(&pattern.from_faces[in_ring ? first_of_ring : pair]));
+        Int8 behind = first + load<Int8>(&pattern.inner[pair]);
+        __m256i numbers;
+        if constexpr (in_ring) {
+            numbers = _mm256_blend_epi32(from_corners, from_faces, 0b11001100);
+            const Int8 outer = plan.outer.ring[ring] + load<Int8>(&pattern.outer[pair]);
+            behind = (Int8)_mm256_blendv_epi8((__m256i)behind, (__m256i)(outer > unlinked ? outer : unlinked),
+                                              load<__m256i>(&pattern.is_outer[in_ring ? first_of_ring : pair]));
+        } else {
+            numbers = _mm256_blendv_epi8(from_corners, from_faces, load<__m256i>(&pattern.takes_face[pair]));
+        }
+        std::memcpy(tets + 2 * pair, &numbers, sizeof numbers);
+        std::memcpy(links + 2 * pair, &behind, sizeof behind);
+    };
+    [&]<std::size_t... pair>(std::index_sequence<pair...>) { (write.template operator()<pair>(), ...); }(std::make_index_sequence<pairs>());
+    int* half_faces = links->data();
     constexpr int cuts = pairs == 7 ? 3 : 4;
-    for (int k = 0; k < cuts; ++k) links[pattern.lone[k]] = outer.lone[k];
+    for (int k = 0; k < cuts; ++k) half_faces[pattern.lone[k]] = plan.outer.lone[k];
     if constexpr (cuts == 3) {
-        for (int k = 0; k < 3; ++k) links[pattern.base[k]] = outer.base[k];
+        for (int k = 0; k < 3; ++k) half_faces[pattern.base[k]] = plan.outer.base[k];
     }
     const Int8 parent = Int8{} + plan.tet;
     std::memcpy(out.parents, &parent, 32);
-    if constexpr (pairs == 7) {
-        std::memcpy(out.parents + 6, &parent, 32);
-    } else {
-        std::memcpy(out.parents + 8, &parent, 32);
-        std::memcpy(out.parents + 16, &parent, 16);
-    }
+    std::memcpy(out.parents + (pairs == 7 ? 6 : 8), &parent, 32);
+    if constexpr (pairs == 10) std::memcpy(out.parents + 16, &parent, 16);
 }
 
 /// Of three_one_volumes.
@@ -202,15 +201,15 @@ void write_two_two(const CuttingPlane& plane, const ParentPlan& plan, const Vect
 
 }  // namespace
 
-void write_children(const CuttingPlane& plane, const ParentPlan& plan, const ParentLayout& layout, const OuterLinks& outer,
-                    const Vector4* vertices, int first_half_face, const ChildArrays& out, std::array<double, 3>* points) {
+void write_children(const CuttingPlane& plane, const ParentPlan& plan, const ParentLayout& layout, const Vector4* vertices,
+                    int first_half_face, const ChildArrays& out, std::array<double, 3>* points) {
     if (layout.cuts == 4) {
         write_two_two(plane, plan, vertices, out, points);
-        write_numbers<10>(plan, outer, *layout.pattern, first_half_face, out);
+        write_numbers<10>(plan, *layout.pattern, first_half_face, out);
         return;
     }
     layout.lone_plus ? write_three_one<true>(plane, plan, vertices, out, points) : write_three_one<false>(plane, plan, vertices, out, points);
-    write_numbers<7>(plan, outer, *layout.pattern, first_half_face, out);
+    write_numbers<7>(plan, *layout.pattern, first_half_face, out);
 }
 
 }  // namespace cleave::subdivision

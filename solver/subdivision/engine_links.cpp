@@ -8,45 +8,25 @@
 
 namespace cleave::subdivision {
 
-template <int cuts>
-void SubdivisionEngine::find_outer_links(const ParentPlan& plan, const ParentLayout& layout, OuterLinks& outer, Buffer<int>& loose) {
-    unsigned loose_faces = 0;
-    for (int k = 0; k < cuts; ++k) {
-        const int behind = plan.behind[k];
-        outer.ring[k] = OuterLinks::none;
-        outer.lone[k] = -1;
-        if (behind < 0) continue;
-        const State& there = states_[static_cast<std::size_t>(behind / 4)];
-        if (there.cut != cuts_) {
-            loose_faces |= 1U << layout.face[k];
-            continue;
-        }
-        const ParentLayout& other = layouts_[there.layout];
-        outer.ring[k] = first_half_face(there) + other.ring[behind & 3];
-        outer.lone[k] = first_half_face(there) + other.lone[behind & 3];
+/// Lists the faces of a new parent that have a tet behind them and no links, in the order of the sorted faces.
+void SubdivisionEngine::note_loose_faces(const ParentPlan& plan, const ParentLayout& layout, Buffer<LooseFace>& loose) const {
+    unsigned faces = 0;
+    for (int k = 0; k < layout.cuts; ++k) faces |= static_cast<unsigned>((plan.inner_faces >> k & 1U) != 0 && plan.outer.ring[k] < 0) << layout.face[k];
+    if (layout.cuts == 3 && plan.behind_base >= 0 && plan.outer.base[0] < 0) faces |= 1U << layout.base_face;
+    for (; faces != 0; faces &= faces - 1) {
+        const int face = std::countr_zero(faces);
+        LooseFace* added = loose.grow_by(1);
+        added->face = 4 * plan.tet + face;
+        added->behind = -1;
+        if (face != layout.base_face) continue;
+        const auto corner = [&](int role) {
+            const Vector4& x = canonical_.vertices[static_cast<std::size_t>(plan.corner[role])];
+            return Eigen::Vector3d(x[0], x[1], x[2]);
+        };
+        added->behind = plan.behind_base;
+        added->third = triangle_area({corner(1), corner(2), corner(3)}) / 3;
+        for (int k = 0; k < 3; ++k) added->pieces[k] = 4 * (canonical_.tets() + plan.first_child) + layout.base[k];
     }
-    if constexpr (cuts == 3) {
-        if (!find_base_links(plan, layout, outer)) loose_faces |= 1U << layout.face[3];
-    }
-    for (; loose_faces != 0; loose_faces &= loose_faces - 1) loose.push_back(4 * plan.tet + std::countr_zero(loose_faces));
-}
-template void SubdivisionEngine::find_outer_links<3>(const ParentPlan&, const ParentLayout&, OuterLinks&, Buffer<int>&);
-template void SubdivisionEngine::find_outer_links<4>(const ParentPlan&, const ParentLayout&, OuterLinks&, Buffer<int>&);
-
-/// Whether the base conforms. Two bases do even where they were cut one after the other; the earlier one's side was written when this
-/// tet was whole.
-bool SubdivisionEngine::find_base_links(const ParentPlan& plan, const ParentLayout& layout, OuterLinks& outer) {
-    const int behind = plan.behind[3];
-    outer.base.fill(-1);
-    if (behind < 0) return true;
-    const State& there = states_[static_cast<std::size_t>(behind / 4)];
-    const ParentLayout& other = layouts_[there.layout];
-    if (there.cut < 0 || other.base_face != behind % 4) return false;
-    for (int k = 0; k < 3; ++k) outer.base[k] = first_half_face(there) + other.base[k];
-    if (there.cut == cuts_) return true;
-    int* earlier = child_links_[static_cast<std::size_t>(there.first_child)].data();
-    for (int k = 0; k < 3; ++k) earlier[other.base[k]] = 4 * (canonical_.tets() + plan.first_child) + layout.base[k];
-    return true;
 }
 
 Triangle SubdivisionEngine::triangle(const std::array<int, 4>& tet, int face) const {
@@ -81,29 +61,11 @@ FaceSide SubdivisionEngine::face_side(int tet, int sorted_face) const {
     return side;
 }
 
-/// A whole tet before a 3-1 tet's base, the most frequent case: link_pieces from the original vertices alone.
-void SubdivisionEngine::link_base(int whole_half_face, int tet, Buffer<ExtraLink>& links) const {
-    const auto& sorted = canonical_.records[tet].sorted;
-    const ParentLayout& base = layout(tet);
-    const auto corner = [&](int role) {
-        const Vector4& x = canonical_.vertices[sorted[base.role[role]]];
-        return Eigen::Vector3d(x[0], x[1], x[2]);
-    };
-    const double third = triangle_area({corner(1), corner(2), corner(3)}) / 3;
-    const int first = first_half_face(states_[tet]);
-    ExtraLink* added = links.grow_by(3);
-    for (int k = 0; k < 3; ++k) added[k] = {whole_half_face, first + base.base[k], third};
-}
-
 /// A loose face of a cut tet and what lies behind it, unless that was cut later (and lists the face then, if it is still loose).
 void SubdivisionEngine::link_loose_face(int tet, int face, Buffer<ExtraLink>& links) const {
     const int behind = canonical_.records[tet].opposite[face];
     const State &here = states_[tet], &there = states_[behind / 4];
     if (there.cut > here.cut) return;
-    if (there.cut < 0 && face == layout(tet).base_face) {
-        link_base(4 * (behind / 4) + canonical_.records[behind / 4].position[behind % 4], tet, links);
-        return;
-    }
     const FaceSide own = face_side(tet, face), other = face_side(behind / 4, behind % 4);
     const auto& sorted = canonical_.records[tet].sorted;
     const bool low = tet < behind / 4;
@@ -113,16 +75,18 @@ void SubdivisionEngine::link_loose_face(int tet, int face, Buffer<ExtraLink>& li
     std::copy(found.begin(), found.end(), links.grow_by(found.size()));
 }
 
+/// A whole tet before a 3-1 tet's base, the most frequent case, was prepared when the parent was written.
 void SubdivisionEngine::link_loose_faces(std::size_t first, std::size_t last, Buffer<ExtraLink>& links) const {
-    constexpr std::size_t far = 12, near = 6;
+    constexpr std::size_t ahead = 12;
     for (std::size_t i = first; i < last; ++i) {
-        if (i + far < last) __builtin_prefetch(&canonical_.records[loose_[i + far] / 4]);
-        if (i + near < last) {
-            const int behind = canonical_.records[loose_[i + near] / 4].opposite[loose_[i + near] % 4];
-            __builtin_prefetch(&states_[behind / 4]);
-            __builtin_prefetch(&canonical_.records[behind / 4].position);
+        const LooseFace& loose = loose_[i];
+        if (i + ahead < last && loose_[i + ahead].behind >= 0) __builtin_prefetch(&states_[static_cast<std::size_t>(loose_[i + ahead].behind / 4)]);
+        if (loose.behind >= 0 && states_[static_cast<std::size_t>(loose.behind / 4)].cut < 0) {
+            ExtraLink* added = links.grow_by(3);
+            for (int k = 0; k < 3; ++k) added[k] = {loose.behind, loose.pieces[k], loose.third};
+        } else {
+            link_loose_face(loose.face / 4, loose.face % 4, links);
         }
-        link_loose_face(loose_[i] / 4, loose_[i] % 4, links);
     }
 }
 

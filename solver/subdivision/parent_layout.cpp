@@ -61,7 +61,6 @@ ParentLayout layout_of(unsigned plus_mask, const PieceTable& pieces) {
         layout.place[layout.face[k]] = static_cast<std::uint8_t>(k);
         for (int byte = 0; byte < 4; ++byte) {
             layout.role_bytes[4 * k + byte] = static_cast<std::uint8_t>(4 * layout.role[k] + byte);
-            layout.face_bytes[4 * k + byte] = static_cast<std::uint8_t>(4 * layout.face[k] + byte);
         }
     }
     return layout;

@@ -35,7 +35,7 @@ struct ParentLayout {
     std::uint8_t cuts = 0;                   ///< cut edges, and cut faces too: 3 or 4; 0: not cut
     std::uint8_t children = 0;
     bool lone_plus = false;                  ///< 3-1: the lone vertex is '+'
-    alignas(16) std::array<std::uint8_t, 16> role_bytes{}, face_bytes{};  ///< `role` and `face` as byte shuffles of four ints
+    alignas(16) std::array<std::uint8_t, 16> role_bytes{};  ///< `role` as a byte shuffle of four ints
 };
 
 /// By 2 * m + odd, as piece_tables().

@@ -13,7 +13,7 @@ constexpr std::size_t together_from = 8 * chunk_size;  ///< parents: fewer are n
 
 SubdivisionEngine::SubdivisionEngine(const mesh::TetMesh& mesh, const Options& options)
     : tables_(piece_tables().data()), layouts_(parent_layouts().data()), canonical_(mesh), boxes_(canonical_), original_(mesh), options_(options),
-      states_(mesh.tets.size()), edge_point_(static_cast<std::size_t>(canonical_.edges), -1), found_(mesh.tets.size()), workers_(options.threads) {
+      states_(mesh.tets.size()), edge_point_(static_cast<std::size_t>(canonical_.edges), -1), workers_(options.threads) {
     require_valid_tau(options.tau);
     counts_.uncut = canonical_.tets();
 }
@@ -49,28 +49,24 @@ bool SubdivisionEngine::passes_disc(const Cut& cut, const CuttingPlane& plane, i
     return passes(cut, corners, distances);
 }
 
-/// Whether a tet that the plane divides is whole, asked for, and near the disc.
-inline bool SubdivisionEngine::may_divide(const Cut& cut, const CuttingPlane& plane, const Among& among, int tet) const {
-    return states_[tet].cut < 0 && among.has(tet) && (std::isinf(cut.radius) || passes_disc(cut, plane, tet));
+/// Appends the tets of a box that the plane divides and that are whole, asked for, and near the disc.
+inline void SubdivisionEngine::find_in_box(std::size_t box, const Cut& cut, const CuttingPlane& plane, const Among& among,
+                                           Buffer<std::uint64_t>& found) const {
+    boxes_.visit_box(box, plane, [&](int tet, unsigned mask) {
+        if (states_[tet].cut >= 0 || !among.has(tet) || (std::isfinite(cut.radius) && !passes_disc(cut, plane, tet))) return;
+        found.push_back(16 * static_cast<std::uint64_t>(tet) + mask);
+    });
 }
 
-/// Looks into the boxes at the cut; the set of finds puts them into ascending order.
 void SubdivisionEngine::find_parents(const Cut& cut, const CuttingPlane& plane, const Among& among) {
+    found_.clear();
     if (workers_.alone()) {
-        boxes_.near_boxes(cut, [&](std::size_t box) {
-            boxes_.visit_box(box, plane, [&](int tet, unsigned mask) {
-                if (!may_divide(cut, plane, among, tet)) return;
-                states_[tet].layout = 2 * mask;
-                found_.set(static_cast<std::size_t>(tet));
-            });
-        });
+        boxes_.near_boxes(cut, [&](std::size_t box) { find_in_box(box, cut, plane, among, found_); });
     } else {
         find_near_together(cut, plane, among);
     }
-    found_.drain([&](std::size_t tet) {
-        states_[tet].cut = cuts_;
-        parents_.push_back(static_cast<int>(tet));
-    });
+    // Where the mesh is numbered along the curve, they are in order already.
+    if (!std::is_sorted(found_.begin(), found_.end())) std::sort(found_.data(), found_.data() + found_.size());
 }
 
 void SubdivisionEngine::find_near_together(const Cut& cut, const CuttingPlane& plane, const Among& among) {
@@ -78,19 +74,13 @@ void SubdivisionEngine::find_near_together(const Cut& cut, const CuttingPlane& p
     std::vector<std::size_t> boxes;
     boxes_.near_boxes(cut, [&](std::size_t box) { boxes.push_back(box); });
     const std::size_t chunks = (boxes.size() + boxes_a_chunk - 1) / boxes_a_chunk;
-    std::vector<std::vector<int>> finds(chunks);
+    std::vector<Buffer<std::uint64_t>> finds(chunks);
     workers_.for_chunks(chunks, [&](std::size_t chunk) {
         for (std::size_t i = chunk * boxes_a_chunk; i < std::min(boxes.size(), (chunk + 1) * boxes_a_chunk); ++i) {
-            boxes_.visit_box(boxes[i], plane, [&](int tet, unsigned mask) {
-                if (!may_divide(cut, plane, among, tet)) return;
-                states_[tet].layout = 2 * mask;
-                finds[chunk].push_back(tet);
-            });
+            find_in_box(boxes[i], cut, plane, among, finds[chunk]);
         }
     });
-    for (const std::vector<int>& found : finds) {
-        for (const int tet : found) found_.set(static_cast<std::size_t>(tet));
-    }
+    for (const Buffer<std::uint64_t>& found : finds) std::copy(found.begin(), found.end(), found_.grow_by(found.size()));
 }
 
 void SubdivisionEngine::write_all_parents(const CuttingPlane& plane) {
@@ -99,17 +89,18 @@ void SubdivisionEngine::write_all_parents(const CuttingPlane& plane) {
         for (std::size_t chunk = 0; chunk < chunks; ++chunk) write_parents(plane, chunk, loose_);
         return;
     }
-    if (chunk_loose_.size() < chunks) chunk_loose_ = std::vector<Buffer<int>>(chunks);
+    if (chunk_loose_.size() < chunks) chunk_loose_ = std::vector<Buffer<LooseFace>>(chunks);
     workers_.for_chunks(chunks, [&](std::size_t chunk) {
         chunk_loose_[chunk].clear();
         write_parents(plane, chunk, chunk_loose_[chunk]);
     });
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-        for (const int face : chunk_loose_[chunk]) loose_.push_back(face);
+        const Buffer<LooseFace>& part = chunk_loose_[chunk];
+        std::copy(part.begin(), part.end(), loose_.grow_by(part.size()));
     }
 }
 
-void SubdivisionEngine::write_parents(const CuttingPlane& plane, std::size_t chunk, Buffer<int>& loose) {
+void SubdivisionEngine::write_parents(const CuttingPlane& plane, std::size_t chunk, Buffer<LooseFace>& loose) {
     constexpr std::size_t ahead = 6;
     const Vector4* vertices = canonical_.vertices.data();
     std::array<double, 3>* points = points_.data() - canonical_.vertices.size();
@@ -120,10 +111,9 @@ void SubdivisionEngine::write_parents(const CuttingPlane& plane, std::size_t chu
         }
         const ParentPlan& plan = plans_[place];
         const ParentLayout& layout = layouts_[plan.layout];
-        OuterLinks outer;
-        layout.cuts == 3 ? find_outer_links<3>(plan, layout, outer, loose) : find_outer_links<4>(plan, layout, outer, loose);
+        note_loose_faces(plan, layout, loose);
         const auto child = static_cast<std::size_t>(plan.first_child);
-        write_children(plane, plan, layout, outer, vertices, 4 * (canonical_.tets() + plan.first_child),
+        write_children(plane, plan, layout, vertices, 4 * (canonical_.tets() + plan.first_child),
                        {child_tets_.data() + child, child_links_.data() + child, child_centroids_.data() + child, child_volumes_.data() + child,
                         child_parents_.data() + child},
                        points);

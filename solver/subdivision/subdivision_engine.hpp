@@ -11,7 +11,6 @@
 #include "solver/subdivision/parent_layout.hpp"
 #include "solver/subdivision/parent_plan.hpp"
 #include "solver/subdivision/piece_tables.hpp"
-#include "solver/subdivision/sparse_bits.hpp"
 #include "solver/subdivision/subdivided.hpp"
 #include "solver/subdivision/tet_boxes.hpp"
 #include "solver/subdivision/workers.hpp"
@@ -87,27 +86,22 @@ private:
         unsigned layout = 0;     ///< how it is divided: 2 * sign pattern + odd
     };
     void find_parents(const Cut& cut, const CuttingPlane& plane, const Among& among);
-    bool may_divide(const Cut& cut, const CuttingPlane& plane, const Among& among, int tet) const;
     void find_near_together(const Cut& cut, const CuttingPlane& plane, const Among& among);
+    void find_in_box(std::size_t box, const Cut& cut, const CuttingPlane& plane, const Among& among, Buffer<std::uint64_t>& found) const;
     bool passes_disc(const Cut& cut, const CuttingPlane& plane, int tet) const;
     void plan_parents();
-    void plan_parent(std::size_t place, int& next_point);
     template <int cuts>
-    void number_points(const ParentLayout& layout, const CanonicalMesh::Record& record, ParentPlan& plan, int& next_point);
-    bool number_base(ParentPlan& plan, int next_point);
+    void plan_faces(const ParentLayout& layout, const CanonicalMesh::Record& record, ParentPlan& plan, int& next_point);
+    bool plan_base(const ParentLayout& layout, int behind, ParentPlan& plan, int next_point);
     void write_all_parents(const CuttingPlane& plane);
-    void write_parents(const CuttingPlane& plane, std::size_t chunk, Buffer<int>& loose);
-    template <int cuts>
-    void find_outer_links(const ParentPlan& plan, const ParentLayout& layout, OuterLinks& outer, Buffer<int>& loose);
-    bool find_base_links(const ParentPlan& plan, const ParentLayout& layout, OuterLinks& outer);
-    const ParentLayout& layout(int tet) const { return layouts_[states_[tet].layout]; }
+    void write_parents(const CuttingPlane& plane, std::size_t chunk, Buffer<LooseFace>& loose);
+    void note_loose_faces(const ParentPlan& plan, const ParentLayout& layout, Buffer<LooseFace>& loose) const;
     int first_half_face(const State& state) const { return 4 * (canonical_.tets() + state.first_child); }
     class Renumbering;
     void append_whole(int tet, const Renumbering& renumbering, Subdivided& out) const;
     void append_child(std::size_t child, const Renumbering& renumbering, Subdivided& out) const;
     Triangle triangle(const std::array<int, 4>& tet, int face) const;
     FaceSide face_side(int tet, int sorted_face) const;
-    void link_base(int whole_half_face, int tet, Buffer<ExtraLink>& links) const;
     void link_loose_face(int tet, int face, Buffer<ExtraLink>& links) const;
     void link_loose_faces(std::size_t first, std::size_t last, Buffer<ExtraLink>& links) const;
 
@@ -119,14 +113,14 @@ private:
     Options options_;
     LargeVector<State> states_;
     LargeVector<int> edge_point_;    ///< per edge: the number of its last cut point; one of an earlier cut is below first_point_
-    SparseBits found_;               ///< parents of the current cut, before they are listed
+    Buffer<std::uint64_t> found_;    ///< parents of the current cut: 16 * tet + sign pattern, ascending
     Buffer<ParentPlan> plans_;       ///< of the current cut
     Buffer<int> parents_;            ///< of all cuts
-    Buffer<int> loose_;              ///< faces (4 * tet + face) of parents that did not conform when the parent was cut
+    Buffer<LooseFace> loose_;        ///< of all cuts
     std::size_t first_parent_ = 0;   ///< of the current cut
     int first_new_child_ = 0;        ///< of the current cut
     int first_point_ = 0;            ///< of the current cut
-    std::vector<Buffer<int>> chunk_loose_;     ///< per chunk: its loose faces, where several threads write
+    std::vector<Buffer<LooseFace>> chunk_loose_;  ///< per chunk of parents, where several threads write
     Workers workers_;
     int cuts_ = 0;                   ///< so far; the current cut's number
     Counts counts_;

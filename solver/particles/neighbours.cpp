@@ -86,16 +86,11 @@ std::vector<int> neighbours_of_point(const Particles& particles, const CellGrid&
     return ids;
 }
 
+void find_neighbours(const Particles& particles, NeighbourLists& lists) { NeighbourSearch(particles).find(lists); }
+
 NeighbourLists find_neighbours(const Particles& particles) {
-    NeighbourSearch search(particles.position, 2 * suitable_cell(particles));
     NeighbourLists lists;
-    lists.offset.reserve(particles.position.size() + 1);
-    lists.index.reserve(64 * particles.position.size());
-    lists.offset.push_back(0);
-    for (int i = 0; i < particles.size(); ++i) {
-        search.append(particles.position[i], particles.tensor[i], i, lists.index);
-        lists.offset.push_back(lists.index.size());
-    }
+    find_neighbours(particles, lists);
     return lists;
 }
 

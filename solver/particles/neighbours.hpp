@@ -42,8 +42,11 @@ private:
 /// Edge of the cells that suits these particles: half the mean support radius.
 double suitable_cell(const Particles& particles);
 
-/// Neighbours by a cell grid. O(n) for bodies whose supports hold a bounded number of particles.
+/// All lists (NeighbourSearch). O(n log n) for bodies whose supports hold a bounded number of particles.
 NeighbourLists find_neighbours(const Particles& particles);
+
+/// The same; memory of `lists` is used again.
+void find_neighbours(const Particles& particles, NeighbourLists& lists);
 
 /// Ids of the particles inside |G (x_j - x)| < 1 around any point, ascending; one that sits at the point included.
 std::vector<int> neighbours_of_point(const Particles& particles, const CellGrid& grid, const Eigen::Vector3d& point,

@@ -1,26 +1,34 @@
 #include "solver/particles/neighbour_search.hpp"
-#include "solver/particles/neighbours.hpp"
 #include "solver/particles/test/box_mesh.hpp"
 
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <cmath>
 
 namespace cleave::particles {
 namespace {
 
-std::vector<int> by_definition(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& at, const Eigen::Matrix3d& tensor, int self) {
-    std::vector<int> ids;
-    for (int j = 0; j < static_cast<int>(points.size()); ++j)
-        if (j != self && is_inside(tensor, points[j] - at)) ids.push_back(j);
-    return ids;
+void expect_as_defined(const Particles& particles, const char* what) {
+    const NeighbourLists found = find_neighbours(particles), defined = find_neighbours_brute_force(particles);
+    EXPECT_EQ(found.offset, defined.offset) << what;
+    EXPECT_EQ(found.index, defined.index) << what;
 }
 
-std::vector<int> by_search(NeighbourSearch& search, const Eigen::Vector3d& at, const Eigen::Matrix3d& tensor, int self) {
-    std::vector<int> ids;
-    search.append(at, tensor, self, ids);
-    return ids;
+Particles at(const std::vector<Eigen::Vector3d>& points, double support_radius) {
+    return from_points(points, std::vector<double>(points.size(), 1e-3), support_radius, 1);
 }
+
+class RandomPoints {
+public:
+    double uniform() { return std::uniform_real_distribution<double>(0, 1)(generator_); }
+    Eigen::Vector3d place() { return {uniform(), uniform(), uniform()}; }
+    Eigen::Matrix3d axes() {
+        return Eigen::Quaterniond(Eigen::Vector4d(uniform(), uniform(), uniform(), 1).normalized()).toRotationMatrix();
+    }
+
+private:
+    std::mt19937 generator_{11};
+};
 
 /// A lattice far from the origin whose distances equal the support to the last bit or miss it by one: single precision cannot tell, and the
 /// definition has to.
@@ -29,36 +37,37 @@ TEST(NeighbourSearch, SettlesPointsOnTheEdgeByTheDefinition) {
     for (int x = 0; x < 9; ++x)
         for (int y = 0; y < 9; ++y)
             for (int z = 0; z < 9; ++z) points.emplace_back(1000 + 0.1 * x, -500 + 0.1 * y, 0.1 * z);
-    NeighbourSearch search(points, 0.25);
-    std::size_t found = 0;
     for (const double radius : {0.1, 0.2, 0.3, std::sqrt(0.05)})
-        for (const double nudge : {-1e-12, 0.0, 1e-12}) {
-            const Eigen::Matrix3d tensor = isotropic_tensor(radius * (1 + nudge));
-            for (int i = 0; i < static_cast<int>(points.size()); i += 7) {
-                const std::vector<int> expected = by_definition(points, points[i], tensor, i);
-                EXPECT_EQ(by_search(search, points[i], tensor, i), expected);
-                found += expected.size();
-            }
-        }
-    EXPECT_GT(found, 1000U) << "else this test says nothing";
+        for (const double nudge : {-1e-12, 0.0, 1e-12}) expect_as_defined(at(points, radius * (1 + nudge)), "lattice");
 }
 
-TEST(NeighbourSearch, AnyPointAnyKernelAnyCell) {
-    std::mt19937 generator(11);
-    std::uniform_real_distribution<double> uniform(0, 1);
+TEST(NeighbourSearch, EveryParticleAnotherKernel) {
+    RandomPoints random;
     std::vector<Eigen::Vector3d> points(700);
-    for (Eigen::Vector3d& x : points) x = {uniform(generator), 2 * uniform(generator), 0.3 * uniform(generator)};
-    for (const double cell : {1e-6, 0.05, 0.3, 50.0}) {
-        NeighbourSearch search(points, cell);
-        for (int query = 0; query < 40; ++query) {
-            const Eigen::Vector3d at = 3 * Eigen::Vector3d(uniform(generator), uniform(generator), uniform(generator)) - Eigen::Vector3d::Ones();
-            const Eigen::Quaterniond turn(Eigen::Vector4d(uniform(generator), uniform(generator), uniform(generator), 1).normalized());
-            const Eigen::Vector3d radii(0.05 + uniform(generator), 0.05 + uniform(generator), 0.02 + 3 * uniform(generator));
-            for (const Eigen::Matrix3d& tensor : {isotropic_tensor(radii[0]), tensor_from_axes(turn.toRotationMatrix(), radii),
-                                                  tensor_from_axes(Eigen::Matrix3d::Identity(), radii)})
-                EXPECT_EQ(by_search(search, at, tensor, -1), by_definition(points, at, tensor, -1));
-        }
+    for (Eigen::Vector3d& x : points) x = random.place().cwiseProduct(Eigen::Vector3d(1, 2, 0.3));
+    Particles particles = at(points, 0.1);
+    for (Eigen::Matrix3d& tensor : particles.tensor) {
+        const Eigen::Vector3d radii(0.05 + random.uniform(), 0.05 + random.uniform(), 0.02 + 3 * random.uniform());
+        const double kind = 3 * random.uniform();
+        tensor = kind < 1 ? isotropic_tensor(0.3 * radii[0])
+                          : tensor_from_axes(kind < 2 ? random.axes() : Eigen::Matrix3d(Eigen::Matrix3d::Identity()), 0.3 * radii);
     }
+    expect_as_defined(particles, "round, along the axes and askew, 0.006 to 0.9 long");
+}
+
+/// Halving has to end where nothing is left to halve, and where every step splits off one point only.
+TEST(NeighbourSearch, HeapsOfPoints) {
+    RandomPoints random;
+    std::vector<Eigen::Vector3d> coincident(100, Eigen::Vector3d(0.1, 0.2, 0.3));
+    expect_as_defined(at(coincident, 0.1), "all at one place");
+    for (int n = 0; n < 100; ++n) coincident.push_back(random.place());
+    expect_as_defined(at(coincident, 0.3), "half of them at one place");
+    std::vector<Eigen::Vector3d> ever_nearer;
+    for (int n = 0; n < 300; ++n) ever_nearer.emplace_back(std::pow(0.5, n), 0, std::pow(0.7, n));
+    expect_as_defined(at(ever_nearer, 0.01), "ever nearer to one point");
+    std::vector<Eigen::Vector3d> far;
+    for (int n = 0; n < 200; ++n) far.push_back(random.place() + 1e7 * Eigen::Vector3d(n % 3, n % 2, 0));
+    expect_as_defined(at(far, 0.4), "heaps so far apart that single precision sees none of their points");
 }
 
 /// The simple form, cell by cell and one by one, finds the same lists.
@@ -74,12 +83,16 @@ TEST(NeighbourSearch, AgreesWithTheSimpleGrid) {
     }
 }
 
-TEST(NeighbourSearch, AppendsAndLeavesWhatIsThere) {
-    const std::vector<Eigen::Vector3d> points{{0, 0, 0}, {1, 0, 0}};
-    NeighbourSearch search(points, 1);
-    std::vector<int> ids{42};
-    search.append({0.5, 0, 0}, isotropic_tensor(2), 1, ids);
-    EXPECT_EQ(ids, (std::vector<int>{42, 0}));
+TEST(NeighbourSearch, NothingIsLeftOfListsFoundBefore) {
+    const Particles many = from_mesh(test::box_mesh(5)), some = from_mesh(test::box_mesh(3));
+    NeighbourLists lists;
+    NeighbourSearch search(some);
+    for (int round = 0; round < 2; ++round) {
+        find_neighbours(many, lists);
+        search.find(lists);
+        EXPECT_EQ(lists.offset, find_neighbours_brute_force(some).offset);
+        EXPECT_EQ(lists.index, find_neighbours_brute_force(some).index);
+    }
 }
 
 }  // namespace

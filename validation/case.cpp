@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
@@ -119,13 +120,17 @@ void read_loads(TableReader& reader, const Defaults& defaults, Case& result) {
     }
 }
 
-std::vector<double> checked_ladder(const TableReader& table, const std::string& key, std::vector<double> sizes, double unit) {
+constexpr double most_tets = 1e8;  // the mesh alone takes 20 GB then
+
+std::vector<double> checked_ladder(const TableReader& table, const std::string& key, std::vector<double> sizes, double unit, const geometry::Shape& shape) {
     if (sizes.empty()) table.fail(key, "at least one size");
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         if (!(sizes[i] > 0)) table.fail(key, "positive sizes");
         if (i > 0 && !(sizes[i] < sizes[i - 1])) table.fail(key, "sizes from coarse to fine");
     }
     for (double& size : sizes) size *= unit;
+    const double tets = shape.expected_tets(sizes.back());
+    if (tets > most_tets) table.fail(key, fmt::format("sizes that make at most {:g} tets (not about {:.1g})", most_tets, tets));
     return sizes;
 }
 
@@ -171,10 +176,10 @@ void read_ladder(TableReader& reader, const std::string& override_text, Case& re
         }
     }
     for (const char* level : {"quick", "full"})
-        if (ladder.has(level)) result.ladder[level] = checked_ladder(ladder, level, ladder.numbers(level), unit);
+        if (ladder.has(level)) result.ladder[level] = checked_ladder(ladder, level, ladder.numbers(level), unit, *result.shape);
     if (!result.ladder.count("quick")) ladder.fail("quick", "an array of sizes (the key is missing)");
     if (!override_text.empty()) {
-        const std::vector<double> sizes = checked_ladder(ladder, "quick", parse_ladder(override_text), unit);
+        const std::vector<double> sizes = checked_ladder(ladder, "quick", parse_ladder(override_text), unit, *result.shape);
         result.ladder = {{"quick", sizes}, {"full", sizes}};
     }
 }
@@ -234,10 +239,19 @@ void read_toughness(TableReader& reader, Case& result) {
     for (std::size_t i = 0; i < 3; ++i) result.toughness.weak_normal[i] = normal[i] / std::sqrt(square);
 }
 
+/// A name is a folder's name too.
+std::string read_name(TableReader& reader) {
+    const std::string name = reader.string("name");
+    const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.'; };
+    if (name.empty() || name[0] == '.' || !std::all_of(name.begin(), name.end(), plain))
+        reader.fail("name", fmt::format("letters, digits, '_', '-' and '.', not '.' first (not '{}')", name));
+    return name;
+}
+
 Case read_one(TableReader reader, const std::string& file, const std::string& ladder) {
     Case result;
     result.file = file;
-    result.name = reader.string("name");
+    result.name = read_name(reader);
     result.tier = reader.choice("tier", {"verification", "cross_code", "paper"});
     result.about = reader.string("about");
     if (reader.has("study")) {

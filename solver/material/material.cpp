@@ -15,8 +15,8 @@ namespace {
 /// The catalogue's entry for `name`, with its failures put at the key of the file that asked.
 Material from_catalogue(TableReader& reader, const std::string& name) {
     if (!in_catalogue(name))
-        reader.fail("name", fmt::format("a material of the catalogue ({}), or stiffness, engineering or cubic beside the name",
-                                        fmt::join(catalogue_names(), ", ")));
+        reader.fail("name", fmt::format("a material of the catalogue ({}), or stiffness, engineering or cubic beside the name (not '{}')",
+                                        fmt::join(catalogue_names(), ", "), name));
     return find_material(name);
 }
 

@@ -198,6 +198,7 @@ std::string with_overrides(const std::string& text, const Overrides& overrides) 
 Scene read_scene(TableReader reader, const Overrides& overrides) {
     for (const auto& [key, value] : overrides) reader.set(key, value);
     Scene scene;
+    scene.file = reader.file();
     scene.name = reader.string("name");
     scene.about = reader.string_or("about", "");
     read_times(reader, scene);

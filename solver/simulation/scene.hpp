@@ -56,7 +56,7 @@ struct BodySpec {
 
 /// One scene file; the defaults are those of an absent key.
 struct Scene {
-    std::string name, about;
+    std::string file, name, about;
     int frames = 200;
     double frame_rate = 30;                   ///< Hz
     int substeps = 4;                         ///< per frame, at least

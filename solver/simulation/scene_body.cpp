@@ -77,6 +77,8 @@ SceneBody::SceneBody(const BodySpec& spec, const Scene& scene, const std::filesy
     results_.resize(mesh_.tets.size());
     find_surface();
     if (!spec.breakable) return;
+    if (static_cast<std::size_t>(spec.groups) > mesh_.tets.size())
+        throw InputError(scene.file, spec.name + ".groups", fmt::format("at most as many as the body has particles, {} (not {})", mesh_.tets.size(), spec.groups));
     analysis_ = std::make_unique<Analysis>(scene, spec_, mesh_, stiffness_);
     std::vector<fracture::Brittleness> brittleness(analysis_->solid.stiffness.size());
     for (std::size_t tet = 0; tet < mesh_.tets.size(); ++tet)

@@ -29,8 +29,12 @@ public:
           crack_(of, body, [&of](const geometry::Body& moved) { return fem_problem(of, moved); }, solution_, options) {}
 
     const Samples& everywhere() const override { return samples_; }
-    Samples at(const std::vector<Point>& points) const override { return gather(solution_.recovered_at(points)); }
-    Samples inside(const std::vector<Point>& points) const override { return gather(solution_.at(points)); }
+    Samples at(const std::vector<Point>& points) const override {
+        return in_the_body([&] { return solution_.recovered_at(points); });
+    }
+    Samples inside(const std::vector<Point>& points) const override {
+        return in_the_body([&] { return solution_.at(points); });
+    }
     double scalar(const std::string& quantity) const override {
         if (quantity == "energy") return solution_.energy();
         if (quantity == "external_work") return solution_.external_work();
@@ -48,6 +52,14 @@ public:
     Resolution resolution() const override { return {size_, solution_.record().cells, solution_.record().dofs}; }
 
 private:
+    template <class Call>
+    Samples in_the_body(const Call& call) const {
+        try {
+            return gather(call());
+        } catch (const fem::Error& error) {
+            throw InputError(of_.file, "at", std::string("points in the body: ") + error.what());
+        }
+    }
     /// Mean over the lips' vertices within 0.3 radii of the centre, scaled by the ellipse sqrt(1 - r^2/a^2) they should lie on.
     double crack_opening() const {
         const Point normal = station_near(*of_.shape, {}).place.axes[1];

@@ -42,6 +42,7 @@ public:
         throw std::invalid_argument(fmt::format("one of extent (not '{}')", key));
     }
     bool uniform_refinement() const override { return true; }
+    double expected_tets(double size) const override { return tets_of_box(extent_, size); }
     std::vector<std::string> surface_names() const override { return box_side_names(); }
 
 private:

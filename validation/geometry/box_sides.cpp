@@ -11,6 +11,10 @@ const std::vector<std::string>& box_side_names() {
     return names;
 }
 
+double tets_of_box(const std::array<double, 3>& extent, double size) {
+    return 6 * std::sqrt(2.0) * (extent[0] / size) * (extent[1] / size) * (extent[2] / size);
+}
+
 int box_side_of(int face, const std::array<double, 3>& low, const std::array<double, 3>& high) {
     std::array<double, 3> centre{};
     gmsh::model::occ::getCenterOfMass(2, face, centre[0], centre[1], centre[2]);

@@ -34,6 +34,8 @@ public:
     virtual std::vector<CrackFront> crack_fronts() const { return {}; }
     /// True where a smaller size refines every part of the mesh alike, so that an observed order means something.
     virtual bool uniform_refinement() const = 0;
+    /// About how many tets a mesh of this size has, 0 where the shape does not know: asked before one is made that no memory holds.
+    virtual double expected_tets(double /*size*/) const { return 0; }
     /// Files that the body is made from: a change of theirs is a change of the case.
     virtual std::vector<std::filesystem::path> input_files() const { return {}; }
     /// Names that loads may use in `on`.

@@ -59,26 +59,18 @@ void store_turned(double* out, const Vector4& a, const Vector4& b, const Vector4
 
 /// The points that a parent makes go to their places; those it shares with one before it, to nowhere (a choice of address, because a
 /// branch on it cannot be foretold).
-template <std::size_t count>
-void store_points(const ParentPlan& plan, const std::array<const Vector4*, count>& made, std::array<double, 3>* points) {
+void store_point(const ParentPlan& plan, int bit, int number, const Vector4& x, std::array<double, 3>* points) {
     std::array<double, 3> nowhere;
-    constexpr int cuts = count == 9 ? 4 : 3;
-    [&]<std::size_t... i>(std::index_sequence<i...>) {
-        const auto place = [&](std::size_t k) {
-            const int number = k < cuts ? plan.cut_point[k] : k < 2 * cuts ? plan.face_point[k - cuts] : cuts == 3 ? plan.face_point[3] : plan.centre;
-            return (plan.makes >> k & 1U) != 0 ? points + number : &nowhere;
-        };
-        (store(place(i), *made[i]), ...);
-    }(std::make_index_sequence<count>());
+    store((plan.makes >> bit & 1) != 0 ? points + number : &nowhere, x);
     asm("" : : "r"(&nowhere) : "memory");
 }
 
 /// Corners and links of two children at a time.
 template <int pairs>
-inline void write_numbers(const ParentPlan& plan, const ChildPattern& pattern, int first_half_face, const ChildArrays& out) {
+inline void write_numbers(const ParentPlan& plan, const ChildPattern& pattern, const ChildArrays& out) {
     std::array<int, 4>*__restrict tets = out.tets, *__restrict links = out.links;
     const __m256i corners = load<__m256i>(&plan.corner), faces = load<__m256i>(&plan.face_point);
-    const Int8 first = Int8{} + first_half_face, unlinked = Int8{} - 1;
+    const Int8 first = Int8{} + plan.first_half_face, unlinked = Int8{} - 1;
     const auto write = [&]<std::size_t pair>() {
         constexpr bool in_ring = pairs == 7 ? pair > 0 : pair % 5 != 0;
         constexpr std::size_t ring = pairs == 7 ? (pair - 1) / 2 : 2 * (pair / 5) + (pair % 5 - 1) / 2;
@@ -90,7 +82,7 @@ inline void write_numbers(const ParentPlan& plan, const ChildPattern& pattern, i
         __m256i numbers;
         if constexpr (in_ring) {
             numbers = _mm256_blend_epi32(from_corners, from_faces, 0b11001100);
-            const Int8 outer = plan.outer.ring[ring] + load<Int8>(&pattern.outer[pair]);
+            const Int8 outer = plan.ring[ring] + load<Int8>(&pattern.outer[pair]);
             behind = (Int8)_mm256_blendv_epi8((__m256i)behind, (__m256i)(outer > unlinked ? outer : unlinked),
                                               load<__m256i>(&pattern.is_outer[in_ring ? first_of_ring : pair]));
         } else {
@@ -102,9 +94,12 @@ inline void write_numbers(const ParentPlan& plan, const ChildPattern& pattern, i
     [&]<std::size_t... pair>(std::index_sequence<pair...>) { (write.template operator()<pair>(), ...); }(std::make_index_sequence<pairs>());
     int* half_faces = links->data();
     constexpr int cuts = pairs == 7 ? 3 : 4;
-    for (int k = 0; k < cuts; ++k) half_faces[pattern.lone[k]] = plan.outer.lone[k];
+    for (int k = 0; k < cuts; ++k) half_faces[pattern.lone[k]] = plan.lone[k];
     if constexpr (cuts == 3) {
-        for (int k = 0; k < 3; ++k) half_faces[pattern.base[k]] = plan.outer.base[k];
+        const int first_piece = plan.lone[3], second = plan.ring[3];
+        half_faces[pattern.base[0]] = first_piece;
+        half_faces[pattern.base[1]] = first_piece < 0 ? -1 : second;
+        half_faces[pattern.base[2]] = first_piece < 0 ? -1 : first_piece + ParentLayout::third_piece;
     }
     const Int8 parent = Int8{} + plan.tet;
     std::memcpy(out.parents, &parent, 32);
@@ -136,8 +131,34 @@ void write_volumes_of_two_two(double parent, const Vector4& minus, const Vector4
     store_turned(out + 2, share * (ui * cj + uj * ci), share * (cj * (1 + ui)), share * ends, share * (ci * (1 + uj)), out + 6, out + 12, out + 16);
 }
 
+/// The faces of a parent that have a tet behind them and no links.
+unsigned loose_faces(const ParentPlan& plan) {
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(load<__m128i>(&plan.ring)))) & plan.inner_faces;
+}
+
+/// A base of these corners, with what its extra links need while the tet behind it is whole.
+void note_base(const ParentPlan& plan, const ParentLayout& layout, const Vector4& a, const Vector4& b, const Vector4& c, LooseFace& added) {
+    const Vector4 normal = cross(b - a, c - a), squares = normal * normal;  // triangle_area
+    added.face = 4 * plan.tet + layout.base_face;
+    added.behind = plan.behind_base;
+    for (int k = 0; k < 3; ++k) added.pieces[k] = plan.first_half_face + layout.pattern->base[k];
+    added.third = 0.5 * __builtin_sqrt((squares[0] + squares[1]) + squares[2]) / 3;
+}
+
+/// Lists loose faces in the order of the sorted vertices opposite.
+void note_loose_faces(const ParentPlan& plan, const ParentLayout& layout, const Vector4* vertices, unsigned loose_faces, Buffer<LooseFace>& loose) {
+    for (int face = 0; face < 4; ++face) {
+        if ((loose_faces >> layout.seen[face].place & 1U) == 0) continue;
+        LooseFace& added = *loose.grow_by(1);
+        added.face = 4 * plan.tet + face;
+        added.behind = -1;
+        if (face != layout.base_face) continue;
+        note_base(plan, layout, vertices[plan.corner[1]], vertices[plan.corner[2]], vertices[plan.corner[3]], added);
+    }
+}
+
 template <bool lone_plus>
-void write_three_one(const CuttingPlane& plane, const ParentPlan& plan, const Vector4* vertices, const ChildArrays& out, std::array<double, 3>* points) {
+inline void write_three_one(const CuttingPlane& plane, const ParentPlan& plan, const Vector4* vertices, const ChildArrays& out) {
     const Vector4 a = vertices[plan.corner[0]], b0 = vertices[plan.corner[1]], b1 = vertices[plan.corner[2]], b2 = vertices[plan.corner[3]];
     const Vector4 size = plane.sizes(FourVertices(a, b0, b1, b2));
     const Vector4 lone = pick<0, 0, 0, 0>(size), base = pick<1, 2, 3, 3>(size);
@@ -164,10 +185,16 @@ void write_three_one(const CuttingPlane& plane, const ParentPlan& plan, const Ve
     ring(2, cuts01, side1, ends01, side0, face01);
     ring(6, cuts02, side2, ends02, side0, face02);
     ring(10, cuts12, side2, ends12, side1, face12);
-    store_points<7>(plan, {&p0, &p1, &p2, &face01, &face02, &face12, &c}, points);
+    store_point(plan, 0, plan.cut_point[0], p0, out.points);
+    store_point(plan, 1, plan.cut_point[1], p1, out.points);
+    store_point(plan, 2, plan.cut_point[2], p2, out.points);
+    store_point(plan, 4, plan.face_point[0], face01, out.points);
+    store_point(plan, 5, plan.face_point[1], face02, out.points);
+    store_point(plan, 6, plan.face_point[2], face12, out.points);
+    store_point(plan, 7, plan.face_point[3], c, out.points);
 }
 
-void write_two_two(const CuttingPlane& plane, const ParentPlan& plan, const Vector4* vertices, const ChildArrays& out, std::array<double, 3>* points) {
+inline void write_two_two(const CuttingPlane& plane, const ParentPlan& plan, const Vector4* vertices, const ChildArrays& out) {
     const Vector4 h0 = vertices[plan.corner[0]], h1 = vertices[plan.corner[1]], t0 = vertices[plan.corner[2]], t1 = vertices[plan.corner[3]];
     const Vector4 size = plane.sizes(FourVertices(h0, h1, t0, t1));
     const Vector4 plus = pick<0, 0, 1, 1>(size), minus = pick<2, 3, 2, 3>(size);
@@ -196,20 +223,45 @@ void write_two_two(const CuttingPlane& plane, const ParentPlan& plan, const Vect
     store_over(out.centroids + 11, (qt1 + q01) + (q11 + qc));
     ring(12, at_plus0, q01 + qt1, minus_ends, q00 + qt0, face_plus0);
     ring(16, at_plus1, q11 + qt1, minus_ends, q10 + qt0, face_plus1);
-    store_points<9>(plan, {&p00, &p01, &p10, &p11, &face_minus0, &face_minus1, &face_plus0, &face_plus1, &centre}, points);
+    store_point(plan, 0, plan.cut_point[0], p00, out.points);
+    store_point(plan, 1, plan.cut_point[1], p01, out.points);
+    store_point(plan, 2, plan.cut_point[2], p10, out.points);
+    store_point(plan, 3, plan.cut_point[3], p11, out.points);
+    store_point(plan, 4, plan.face_point[0], face_minus0, out.points);
+    store_point(plan, 5, plan.face_point[1], face_minus1, out.points);
+    store_point(plan, 6, plan.face_point[2], face_plus0, out.points);
+    store_point(plan, 7, plan.face_point[3], face_plus1, out.points);
+    store(out.points + plan.centre, centre);
 }
 
 }  // namespace
 
-void write_children(const CuttingPlane& plane, const ParentPlan& plan, const ParentLayout& layout, const Vector4* vertices,
-                    int first_half_face, const ChildArrays& out, std::array<double, 3>* points) {
-    if (layout.cuts == 4) {
-        write_two_two(plane, plan, vertices, out, points);
-        write_numbers<10>(plan, *layout.pattern, first_half_face, out);
-        return;
+void write_children(const CuttingPlane& plane, const ParentPlan* first, const ParentPlan* last, const ParentLayout* layouts, const Vector4* vertices,
+                    ChildArrays out, Buffer<LooseFace>& loose) {
+    constexpr int ahead = 6;
+    const CuttingPlane own_plane = plane;  // no store can change it
+    for (const ParentPlan* plan = first; plan != last; ++plan) {
+        for (const int vertex : plan[last - plan > ahead ? ahead : 0].corner) __builtin_prefetch(&vertices[vertex]);
+        const ParentLayout& layout = layouts[plan->layout];
+        const unsigned unlinked = loose_faces(*plan);
+        if (layout.kind == ParentLayout::two_two) {
+            write_two_two(own_plane, *plan, vertices, out);
+            write_numbers<10>(*plan, *layout.pattern, out);
+            if (unlinked != 0) note_loose_faces(*plan, layout, vertices, unlinked, loose);
+        } else {
+            layout.kind == ParentLayout::lone_plus ? write_three_one<true>(own_plane, *plan, vertices, out)
+                                                   : write_three_one<false>(own_plane, *plan, vertices, out);
+            write_numbers<7>(*plan, *layout.pattern, out);
+            const int* base = plan->corner.data() + 1;
+            if (unlinked == 8) note_base(*plan, layout, vertices[base[0]], vertices[base[1]], vertices[base[2]], *loose.grow_by(1));
+            else if (unlinked != 0) note_loose_faces(*plan, layout, vertices, unlinked, loose);
+        }
+        out.tets += layout.children;
+        out.links += layout.children;
+        out.centroids += layout.children;
+        out.volumes += layout.children;
+        out.parents += layout.children;
     }
-    layout.lone_plus ? write_three_one<true>(plane, plan, vertices, out, points) : write_three_one<false>(plane, plan, vertices, out, points);
-    write_numbers<7>(plan, *layout.pattern, first_half_face, out);
 }
 
 }  // namespace cleave::subdivision

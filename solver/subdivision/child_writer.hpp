@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/subdivision/buffer.hpp"
 #include "solver/subdivision/canonical_mesh.hpp"
 #include "solver/subdivision/cutting_plane.hpp"
 #include "solver/subdivision/parent_layout.hpp"
@@ -9,17 +10,17 @@
 
 namespace cleave::subdivision {
 
-/// Where a parent's children go: from its first child on.
+/// Where children go: from the first one of the first plan on.
 struct ChildArrays {
     std::array<int, 4>*tets, *links;
     std::array<double, 3>* centroids;
     double* volumes;
     int* parents;
+    std::array<double, 3>* points;  ///< the place of the point with number 0 (new points are numbered after the vertices)
 };
 
-/// Writes the children of a parent and the points it makes, all from its corners. `vertices` by number; `points`: the place of the
-/// point with number 0 (the vertices' numbers come before the new points'). `first_half_face`: of its first child.
-void write_children(const CuttingPlane& plane, const ParentPlan& plan, const ParentLayout& layout, const Vector4* vertices,
-                    int first_half_face, const ChildArrays& out, std::array<double, 3>* points);
+/// Writes the children of parents in a row, the points they make, and lists the faces that do not conform. `vertices` by number.
+void write_children(const CuttingPlane& plane, const ParentPlan* first, const ParentPlan* last, const ParentLayout* layouts, const Vector4* vertices,
+                    ChildArrays out, Buffer<LooseFace>& loose);
 
 }  // namespace cleave::subdivision

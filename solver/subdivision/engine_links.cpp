@@ -2,32 +2,10 @@
 #include "solver/subdivision/subdivision_engine.hpp"
 
 #include <algorithm>
-#include <bit>
 
-// Links across the faces of parents: equal pieces, read from the layouts of both sides; and the others, found on demand.
+// Links of faces that do not conform, found on demand.
 
 namespace cleave::subdivision {
-
-/// Lists the faces of a new parent that have a tet behind them and no links, in the order of the sorted faces.
-void SubdivisionEngine::note_loose_faces(const ParentPlan& plan, const ParentLayout& layout, Buffer<LooseFace>& loose) const {
-    unsigned faces = 0;
-    for (int k = 0; k < layout.cuts; ++k) faces |= static_cast<unsigned>((plan.inner_faces >> k & 1U) != 0 && plan.outer.ring[k] < 0) << layout.face[k];
-    if (layout.cuts == 3 && plan.behind_base >= 0 && plan.outer.base[0] < 0) faces |= 1U << layout.base_face;
-    for (; faces != 0; faces &= faces - 1) {
-        const int face = std::countr_zero(faces);
-        LooseFace* added = loose.grow_by(1);
-        added->face = 4 * plan.tet + face;
-        added->behind = -1;
-        if (face != layout.base_face) continue;
-        const auto corner = [&](int role) {
-            const Vector4& x = canonical_.vertices[static_cast<std::size_t>(plan.corner[role])];
-            return Eigen::Vector3d(x[0], x[1], x[2]);
-        };
-        added->behind = plan.behind_base;
-        added->third = triangle_area({corner(1), corner(2), corner(3)}) / 3;
-        for (int k = 0; k < 3; ++k) added->pieces[k] = 4 * (canonical_.tets() + plan.first_child) + layout.base[k];
-    }
-}
 
 Triangle SubdivisionEngine::triangle(const std::array<int, 4>& tet, int face) const {
     Triangle corners;
@@ -56,7 +34,7 @@ FaceSide SubdivisionEngine::face_side(int tet, int sorted_face) const {
     const FacePieces& of_face = pieces(tet).pieces[sorted_face];
     for (int k = 0; k < of_face.count; ++k) {
         const int piece = of_face.ascending[k];
-        side.add(first_half_face(states_[tet]) + piece, triangle(child_tets_[states_[tet].first_child + piece / 4], piece % 4));
+        side.add(state(tet).first_half_face + piece, triangle(child_tets_[first_child(tet) + piece / 4], piece % 4));
     }
     return side;
 }
@@ -64,7 +42,7 @@ FaceSide SubdivisionEngine::face_side(int tet, int sorted_face) const {
 /// A loose face of a cut tet and what lies behind it, unless that was cut later (and lists the face then, if it is still loose).
 void SubdivisionEngine::link_loose_face(int tet, int face, Buffer<ExtraLink>& links) const {
     const int behind = canonical_.records[tet].opposite[face];
-    const State &here = states_[tet], &there = states_[behind / 4];
+    const State &here = state(tet), &there = state(behind / 4);
     if (there.cut > here.cut) return;
     const FaceSide own = face_side(tet, face), other = face_side(behind / 4, behind % 4);
     const auto& sorted = canonical_.records[tet].sorted;
@@ -80,8 +58,8 @@ void SubdivisionEngine::link_loose_faces(std::size_t first, std::size_t last, Bu
     constexpr std::size_t ahead = 12;
     for (std::size_t i = first; i < last; ++i) {
         const LooseFace& loose = loose_[i];
-        if (i + ahead < last && loose_[i + ahead].behind >= 0) __builtin_prefetch(&states_[static_cast<std::size_t>(loose_[i + ahead].behind / 4)]);
-        if (loose.behind >= 0 && states_[static_cast<std::size_t>(loose.behind / 4)].cut < 0) {
+        if (i + ahead < last && loose_[i + ahead].behind >= 0) __builtin_prefetch(&state(loose_[i + ahead].behind / 4));
+        if (loose.behind >= 0 && state(loose.behind / 4).cut < 0) {
             ExtraLink* added = links.grow_by(3);
             for (int k = 0; k < 3; ++k) added[k] = {loose.behind, loose.pieces[k], loose.third};
         } else {

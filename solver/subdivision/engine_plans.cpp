@@ -19,113 +19,96 @@ std::array<int, 4> shuffled(const std::array<int, 4>& values, const std::array<s
 
 }  // namespace
 
-/// The base's barycentre and the links to another base behind it, which conforms even where it was cut before; the earlier one's side
-/// was written when this tet was whole. Whether the barycentre is new.
-inline bool SubdivisionEngine::plan_base(const ParentLayout& layout, int behind, ParentPlan& plan, int next_point) {
-    plan.face_point[3] = next_point;
-    plan.outer.base.fill(-1);
-    plan.behind_base = -1;
-    if (behind < 0) return true;
-    const int face = behind % 4;
-    plan.behind_base = 4 * (behind / 4) + canonical_.records[static_cast<std::size_t>(plan.tet)].position_behind(layout.base_face);
-    const State& there = states_[static_cast<std::size_t>(behind / 4)];
-    if (there.cut < 0) return true;
-    const ParentLayout& other = layouts_[there.layout];
-    if (other.base_face != face) return true;
-    int* earlier;
-    if (there.cut == cuts_) {
-        ParentPlan& before = plans_[static_cast<std::size_t>(there.place)];
-        plan.face_point[3] = before.face_point[3];
-        earlier = before.outer.base.data();
-    } else {
-        // The barycentre is the one point that the child below the other's lone tet has beside the cut points.
-        plan.face_point[3] = child_tets_[static_cast<std::size_t>(there.first_child) + 1][static_cast<std::size_t>(other.pattern->barycentre)];
-        earlier = nullptr;
-    }
-    for (int k = 0; k < 3; ++k) {
-        plan.outer.base[k] = first_half_face(there) + other.base[k];
-        const int own = 4 * (canonical_.tets() + plan.first_child) + layout.base[k];
-        (earlier != nullptr ? earlier[k] : child_links_[static_cast<std::size_t>(there.first_child)].data()[other.base[k]]) = own;
-    }
-    return false;
+/// Two bases conform even where they were cut one after the other: takes the number of the earlier one's barycentre, the one point that
+/// the child below its lone tet has beside the cut points, and links both.
+void SubdivisionEngine::join_earlier_base(const State& there, ParentPlan& plan) {
+    const ChildPattern& earlier = *layouts_[there.layout].pattern;
+    const ChildPattern& own = *layouts_[plan.layout].pattern;
+    const auto child = static_cast<std::size_t>(there.first_half_face / 4 - canonical_.tets());
+    plan.face_point[3] = child_tets_[child + 1][static_cast<std::size_t>(earlier.barycentre)];
+    plan.lone[3] = there.first_half_face + earlier.base[0];
+    plan.ring[3] = there.first_half_face + earlier.base[1];
+    int* links = child_links_[child].data();
+    for (int k = 0; k < 3; ++k) links[earlier.base[k]] = plan.first_half_face + own.base[k];
 }
 
-/// Numbers of a parent's points, and links both ways to the parents before it in this cut.
-template <int cuts>
-inline void SubdivisionEngine::plan_faces(const ParentLayout& layout, const CanonicalMesh::Record& record, ParentPlan& plan, int& next_point) {
+/// Numbers of a parent's points, and links both ways to the parents before it in this cut. Without branches, which could not be
+/// foretold: choices of values and addresses. plans_[0] takes what belongs to no plan.
+inline void SubdivisionEngine::plan_points(const ParentLayout& layout, const CanonicalMesh::Record& record, ParentPlan& plan, int& next_point) {
     unsigned makes = 0, inner_faces = 0;
-    for (int k = 0; k < cuts; ++k) {
-        int& number = edge_point_[static_cast<std::size_t>(record.edge[layout.edge[k]])];
+    int next = next_point;
+    for (int k = 0; k < 4; ++k) {
+        int& number = edge_point_[static_cast<std::size_t>(record.edge[layout.own[k].edge])];
         const bool is_new = number < first_point_;
-        number = is_new ? next_point : number;
+        number = is_new ? next : number;
         plan.cut_point[k] = number;
-        next_point += is_new;
+        next += is_new;
         makes |= static_cast<unsigned>(is_new) << k;
     }
-    const int own_first = 4 * (canonical_.tets() + plan.first_child);
-    ParentPlan nowhere;
-    for (int k = 0; k < cuts; ++k) {
-        // Choices of address, because a branch on them cannot be foretold. A parent after this one has not been planned.
-        const int face = layout.face[k], behind = record.opposite[face];
-        const State& there = states_[static_cast<std::size_t>(behind < 0 ? plan.tet : behind / 4)];
-        const bool known = (behind >= 0) & (there.cut == cuts_);
-        const ParentLayout& other = layouts_[there.layout];
-        ParentPlan& before = known ? plans_[static_cast<std::size_t>(there.place)] : nowhere;
-        const int place = other.place[behind & 3], unlinked = known ? 0 : -1;
-        nowhere.face_point[place] = next_point;
-        plan.face_point[k] = before.face_point[place];
-        plan.outer.ring[k] = known ? first_half_face(there) + other.ring[behind & 3] : OuterLinks::none;
-        plan.outer.lone[k] = (first_half_face(there) + other.lone[behind & 3]) | unlinked;
-        before.outer.ring[place] = own_first + layout.ring[face];
-        before.outer.lone[place] = own_first + layout.lone[face];
-        next_point += !known;
-        makes |= static_cast<unsigned>(!known) << (cuts + k);
+    const State* states = &states_[1];
+    for (int k = 0; k < 4; ++k) {
+        const ParentLayout::Own own = layout.own[k];
+        const int behind = record.opposite[own.face];
+        const State& there = states[behind >> 2];
+        const ParentLayout::Seen seen = layouts_[there.layout].seen[behind & 3];
+        const bool known = there.cut == cuts_;  // planned before: a parent after this one is still whole
+        ParentPlan& before = plans_[known ? static_cast<std::size_t>(there.place) : 0];
+        plan.face_point[k] = known ? before.face_point[seen.place] : next;
+        plan.ring[k] = known ? there.first_half_face + seen.ring : ParentPlan::unlinked;
+        plan.lone[k] = known ? there.first_half_face + seen.lone : -1;
+        before.ring[seen.place] = plan.first_half_face + own.ring;
+        before.lone[seen.place] = plan.first_half_face + own.lone;
+        next += !known;
+        makes |= static_cast<unsigned>(!known) << (4 + k);
         inner_faces |= static_cast<unsigned>(behind >= 0) << k;
     }
-    if constexpr (cuts == 3) {
-        const int behind = record.opposite[layout.base_face];
-        const bool is_new = plan_base(layout, behind, plan, next_point);
-        next_point += is_new;
-        makes |= static_cast<unsigned>(is_new) << 6;
-        inner_faces |= static_cast<unsigned>(behind >= 0) << 3;
-    } else {
-        plan.centre = next_point++;
-        makes |= 1U << 8;
+    const int behind = record.opposite[layout.own[3].face];
+    plan.behind_base = (behind & ~3) | record.position_behind(layout.own[3].face);
+    const bool has_centre = layout.kind == ParentLayout::two_two;
+    const State& there = states[behind >> 2];
+    if (there.cut >= 0 && there.cut != cuts_ && !has_centre && layouts_[there.layout].base_face == (behind & 3)) {
+        join_earlier_base(there, plan);
+        --next;
+        makes &= ~(1U << 7);
     }
-    plan.makes = static_cast<std::uint16_t>(makes);
+    plan.centre = next;
+    next_point = next + has_centre;
+    plan.makes = static_cast<std::uint16_t>(makes | static_cast<unsigned>(has_centre) << 8);
     plan.inner_faces = static_cast<std::uint8_t>(inner_faces);
 }
 
 void SubdivisionEngine::plan_parents() {
     constexpr std::size_t far = 12, near = 6;
     const std::size_t count = found_.size();
-    plans_.resize(count);
-    const int originals = static_cast<int>(canonical_.vertices.size());
+    plans_.resize(count + 1);
+    const int originals = static_cast<int>(canonical_.vertices.size()), tets = canonical_.tets();
     int next_point = first_point_ = originals + static_cast<int>(points_.size());
     int children = static_cast<int>(child_tets_.size()), two_two = 0;
     int* parents = parents_.grow_by(count);
-    for (std::size_t place = 0; place < count; ++place) {
-        if (place + far < count) __builtin_prefetch(&canonical_.records[found_[place + far] / 16]);
-        if (place + near < count) {
-            const CanonicalMesh::Record& record = canonical_.records[found_[place + near] / 16];
+    const std::uint64_t* found = found_.data();
+    State* states = &states_[1];
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i + far < count) __builtin_prefetch(&canonical_.records[found[i + far] / 16]);
+        if (i + near < count) {
+            const CanonicalMesh::Record& record = canonical_.records[found[i + near] / 16];
             // Edges of the same lower vertex stand together.
             for (const int edge : {0, 3, 5}) __builtin_prefetch(&edge_point_[static_cast<std::size_t>(record.edge[edge])], 1);
-            for (const int behind : record.opposite) __builtin_prefetch(&states_[static_cast<std::size_t>(behind < 0 ? 0 : behind / 4)]);
+            for (const int behind : record.opposite) __builtin_prefetch(&states[behind >> 2]);
         }
-        const int tet = static_cast<int>(found_[place] / 16);
+        const int tet = static_cast<int>(found[i] / 16);
         const CanonicalMesh::Record& record = canonical_.records[static_cast<std::size_t>(tet)];
-        const unsigned number = 2 * (found_[place] % 16) + record.odd;
+        const unsigned number = 2 * static_cast<unsigned>(found[i] % 16) + record.odd;
         const ParentLayout& layout = layouts_[number];
-        parents[place] = tet;
-        states_[static_cast<std::size_t>(tet)] = {cuts_, children, static_cast<int>(place), number};
-        ParentPlan& plan = plans_[place];
+        parents[i] = tet;
+        ParentPlan& plan = plans_[i + 1];
         plan.corner = shuffled(record.sorted, layout.role_bytes);
         plan.tet = tet;
         plan.layout = static_cast<std::uint8_t>(number);
-        plan.first_child = children;
-        layout.cuts == 3 ? plan_faces<3>(layout, record, plan, next_point) : plan_faces<4>(layout, record, plan, next_point);
+        plan.first_half_face = 4 * (tets + children);
+        plan_points(layout, record, plan, next_point);
+        states[tet] = {cuts_, plan.first_half_face, static_cast<int>(i) + 1, number};
         children += layout.children;
-        two_two += layout.cuts == 4;
+        two_two += layout.kind == ParentLayout::two_two;
     }
     counts_.uncut -= static_cast<int>(count);
     counts_.two_two += two_two;

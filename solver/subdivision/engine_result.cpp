@@ -49,10 +49,10 @@ void SubdivisionEngine::append_whole(int tet, const Renumbering& renumbering, Su
 void SubdivisionEngine::append_child(std::size_t child, const Renumbering& renumbering, Subdivided& out) const {
     const int tet = child_parents_[child];
     const PieceTable& pieces = this->pieces(tet);
-    const std::size_t k = child - static_cast<std::size_t>(states_[tet].first_child);
+    const std::size_t k = child - static_cast<std::size_t>(first_child(tet));
     out.mesh.tets.push_back(child_tets_[child]);
     out.parent.push_back(tet);
-    out.cut.push_back(states_[tet].cut);
+    out.cut.push_back(state(tet).cut);
     out.side.push_back(pieces.side[k]);
     out.volume.push_back(child_volumes_[child]);
     const auto& centroid = child_centroids_[child];

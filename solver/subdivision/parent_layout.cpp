@@ -41,27 +41,18 @@ ParentLayout layout_of(unsigned plus_mask, const PieceTable& pieces) {
     const CutTemplate& cut = cut_template(plus_mask);
     if (cut.children.empty()) return layout;
     const std::array<int, 4> rings = first_of_rings(cut.centre);
-    layout.cuts = cut.centre ? 4 : 3;
+    const int cuts = cut.centre ? 4 : 3;
+    layout.kind = cut.centre ? ParentLayout::two_two : std::popcount(plus_mask) == 1 ? ParentLayout::lone_plus : ParentLayout::lone_minus;
     layout.children = static_cast<std::uint8_t>(pieces.children);
     layout.base_face = static_cast<std::int8_t>(cut.base_face);
-    layout.lone_plus = std::popcount(plus_mask) == 1;
-    for (int i = 0; i < 4; ++i) layout.role[i] = static_cast<std::uint8_t>(cut.roles[i]);
-    for (int k = 0; k < layout.cuts; ++k) {
-        layout.edge[k] = static_cast<std::uint8_t>(cut.points[k] - first_edge_code);
-        const int face = cut.points[layout.cuts + k] - first_face_code;
-        layout.face[k] = static_cast<std::uint8_t>(face);
-        layout.ring[face] = half_face_on(pieces, rings[k], face);
-        layout.lone[face] = half_face_on(pieces, lone_child(pieces, rings, layout.cuts, face), face);
-    }
-    if (cut.base_face >= 0) {
-        layout.face[3] = static_cast<std::uint8_t>(cut.base_face);
-        for (int k = 0; k < 3; ++k) layout.base[k] = half_face_on(pieces, rings[k] + 2, cut.base_face);
-    }
     for (int k = 0; k < 4; ++k) {
-        layout.place[layout.face[k]] = static_cast<std::uint8_t>(k);
-        for (int byte = 0; byte < 4; ++byte) {
-            layout.role_bytes[4 * k + byte] = static_cast<std::uint8_t>(4 * layout.role[k] + byte);
-        }
+        ParentLayout::Own& own = layout.own[k];
+        own.edge = static_cast<std::uint8_t>(cut.points[k < cuts ? k : 0] - first_edge_code);
+        own.face = static_cast<std::uint8_t>(k < cuts ? cut.points[cuts + k] - first_face_code : cut.base_face);
+        own.ring = k < cuts ? half_face_on(pieces, rings[k], own.face) : half_face_on(pieces, rings[1] + 2, own.face);
+        own.lone = half_face_on(pieces, k < cuts ? lone_child(pieces, rings, cuts, own.face) : rings[0] + 2, own.face);
+        layout.seen[own.face] = {static_cast<std::uint8_t>(k), own.ring, own.lone};
+        for (int byte = 0; byte < 4; ++byte) layout.role_bytes[4 * k + byte] = static_cast<std::uint8_t>(4 * cut.roles[k] + byte);
     }
     return layout;
 }
@@ -70,21 +61,22 @@ ChildPattern pattern_of(const CutTemplate& cut, const PieceTable& pieces, const 
     ChildPattern pattern;
     const std::array<int, 15> places = places_of(cut);
     const std::array<int, 4> rings = first_of_rings(cut.centre);
+    const int cuts = cut.centre ? 4 : 3;
     for (int slot = 0; slot < 4 * pieces.children; ++slot) {
         const int child = slot / 4, pair = slot / 8, lane = slot % 8, place = places[pieces.codes[child][slot % 4]];
         (place < 8 ? pattern.from_corners : pattern.from_faces)[pair][lane] = place % 8;
         pattern.takes_face[pair][lane] = place < 8 ? 0 : -1;
         pattern.inner[pair][lane] = pieces.inner[child][slot % 4];
-        for (int k = 0; k < layout.cuts; ++k) {
-            const bool outer = child >= rings[k] && child < rings[k] + 4 && pieces.face[child][slot % 4] == layout.face[k];
+        for (int k = 0; k < cuts; ++k) {
+            const bool outer = child >= rings[k] && child < rings[k] + 4 && pieces.face[child][slot % 4] == layout.own[k].face;
             if (!outer) continue;
             pattern.outer[pair][lane] = 4 * (child - rings[k]);
             pattern.is_outer[pair][lane] = -1;
         }
     }
-    for (int k = 0; k < layout.cuts; ++k) pattern.lone[k] = layout.lone[layout.face[k]];
-    pattern.base = layout.base;
+    for (int k = 0; k < cuts; ++k) pattern.lone[k] = layout.own[k].lone;
     if (cut.base_face >= 0) {
+        for (int k = 0; k < 3; ++k) pattern.base[k] = half_face_on(pieces, rings[k] + 2, cut.base_face);
         const auto& below = pieces.codes[1];
         pattern.barycentre = static_cast<int>(std::find(below.begin(), below.end(), first_face_code + cut.base_face) - below.begin());
     }
@@ -105,7 +97,7 @@ const std::array<ChildPattern, 4>& patterns() {
     return all;
 }
 
-bool is_odd(const std::array<std::uint8_t, 4>& permutation) {
+bool is_odd(const std::array<int, 4>& permutation) {
     bool odd = false;
     for (int i = 0; i < 4; ++i) {
         for (int j = 0; j < i; ++j) odd ^= permutation[j] > permutation[i];
@@ -120,8 +112,8 @@ const std::array<ParentLayout, 32>& parent_layouts() {
         std::array<ParentLayout, 32> made;
         for (unsigned i = 0; i < 32; ++i) {
             made[i] = layout_of(i / 2, piece_tables()[i]);
-            const bool turned = is_odd(made[i].role) != (i % 2 == 1);
-            made[i].pattern = &patterns()[(made[i].cuts == 4 ? 2U : 0U) + (turned ? 1U : 0U)];
+            const bool turned = is_odd(cut_template(i / 2).roles) != (i % 2 == 1);
+            made[i].pattern = &patterns()[(made[i].kind == ParentLayout::two_two ? 2U : 0U) + (turned ? 1U : 0U)];
         }
         return made;
     }();

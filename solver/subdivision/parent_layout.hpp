@@ -24,18 +24,30 @@ struct alignas(32) ChildPattern {
 /// How a parent of one sign pattern and orientation is seen in the roles of its vertices (CutTemplate): there, all 3-1 parents are
 /// alike and all 2-2 ones. Faces stand in the order of the quadrilaterals of the children; a 3-1 parent's base is the last.
 struct ParentLayout {
+    enum Kind : std::uint8_t { not_cut, lone_plus, lone_minus, two_two };
+
+    /// Cut edge and face number k. A 3-1 parent's fourth edge is its first once more.
+    struct Own {
+        std::uint8_t edge;  ///< its number 0..5
+        std::uint8_t face;  ///< the sorted vertex opposite
+        std::uint8_t ring;  ///< half face (from the first child's on) of the ring's first triangle; of a base's second piece
+        std::uint8_t lone;  ///< half face of the lone vertex's triangle; of a base's first piece
+    };
+    /// A face as the tet behind it sees it, which knows it by the sorted vertex opposite.
+    struct Seen {
+        std::uint8_t place;  ///< in `own`
+        std::uint8_t ring, lone;
+    };
+    /// A base's third piece stands so many half faces after its first.
+    static constexpr int third_piece = 32;
+
     const ChildPattern* pattern = nullptr;
-    std::array<std::uint8_t, 4> role{};      ///< sorted vertex by role
-    std::array<std::uint8_t, 4> edge{};      ///< by cut edge in the order of CutTemplate::points: its number 0..5
-    std::array<std::uint8_t, 4> face{};      ///< the sorted vertex opposite each face
-    std::array<std::uint8_t, 4> place{};     ///< by the sorted vertex opposite: the place of the face in `face`
-    std::array<std::uint8_t, 4> ring{}, lone{};  ///< by the sorted vertex opposite a cut face: half faces of the ring's first triangle, of the lone one
-    std::array<std::uint8_t, 3> base{};      ///< half faces of the base's pieces
-    std::int8_t base_face = -1;              ///< sorted vertex opposite, -1: none
-    std::uint8_t cuts = 0;                   ///< cut edges, and cut faces too: 3 or 4; 0: not cut
+    Kind kind = not_cut;
     std::uint8_t children = 0;
-    bool lone_plus = false;                  ///< 3-1: the lone vertex is '+'
-    alignas(16) std::array<std::uint8_t, 16> role_bytes{};  ///< `role` as a byte shuffle of four ints
+    std::int8_t base_face = -1;              ///< sorted vertex opposite, -1: none
+    std::array<Own, 4> own{};
+    std::array<Seen, 4> seen{};
+    alignas(16) std::array<std::uint8_t, 16> role_bytes{};  ///< the sorted vertices by role, as a byte shuffle of four ints
 };
 
 /// By 2 * m + odd, as piece_tables().

@@ -13,7 +13,7 @@ constexpr std::size_t together_from = 8 * chunk_size;  ///< parents: fewer are n
 
 SubdivisionEngine::SubdivisionEngine(const mesh::TetMesh& mesh, const Options& options)
     : tables_(piece_tables().data()), layouts_(parent_layouts().data()), canonical_(mesh), boxes_(canonical_), original_(mesh), options_(options),
-      states_(mesh.tets.size()), edge_point_(static_cast<std::size_t>(canonical_.edges), -1), workers_(options.threads) {
+      states_(mesh.tets.size() + 1), edge_point_(static_cast<std::size_t>(canonical_.edges), -1), workers_(options.threads) {
     require_valid_tau(options.tau);
     counts_.uncut = canonical_.tets();
 }
@@ -21,7 +21,7 @@ SubdivisionEngine::SubdivisionEngine(const mesh::TetMesh& mesh, const Options& o
 void SubdivisionEngine::reset() {
     for (const int tet : parents_) {
         for (const int edge : canonical_.records[tet].edge) edge_point_[edge] = -1;
-        states_[tet].cut = -1;
+        states_[static_cast<std::size_t>(tet) + 1].cut = -1;
     }
     parents_.clear();
     plans_.clear();
@@ -53,7 +53,7 @@ bool SubdivisionEngine::passes_disc(const Cut& cut, const CuttingPlane& plane, i
 inline void SubdivisionEngine::find_in_box(std::size_t box, const Cut& cut, const CuttingPlane& plane, const Among& among,
                                            Buffer<std::uint64_t>& found) const {
     boxes_.visit_box(box, plane, [&](int tet, unsigned mask) {
-        if (states_[tet].cut >= 0 || !among.has(tet) || (std::isfinite(cut.radius) && !passes_disc(cut, plane, tet))) return;
+        if (is_cut(tet) || !among.has(tet) || (std::isfinite(cut.radius) && !passes_disc(cut, plane, tet))) return;
         found.push_back(16 * static_cast<std::uint64_t>(tet) + mask);
     });
 }
@@ -84,7 +84,7 @@ void SubdivisionEngine::find_near_together(const Cut& cut, const CuttingPlane& p
 }
 
 void SubdivisionEngine::write_all_parents(const CuttingPlane& plane) {
-    const std::size_t count = plans_.size(), chunks = (count + chunk_size - 1) / chunk_size;
+    const std::size_t count = parents_.size() - first_parent_, chunks = (count + chunk_size - 1) / chunk_size;
     if (workers_.alone() || count < together_from) {
         for (std::size_t chunk = 0; chunk < chunks; ++chunk) write_parents(plane, chunk, loose_);
         return;
@@ -101,23 +101,11 @@ void SubdivisionEngine::write_all_parents(const CuttingPlane& plane) {
 }
 
 void SubdivisionEngine::write_parents(const CuttingPlane& plane, std::size_t chunk, Buffer<LooseFace>& loose) {
-    constexpr std::size_t ahead = 6;
-    const Vector4* vertices = canonical_.vertices.data();
-    std::array<double, 3>* points = points_.data() - canonical_.vertices.size();
-    const std::size_t first = chunk * chunk_size, last = std::min(plans_.size(), first + chunk_size);
-    for (std::size_t place = first; place < last; ++place) {
-        if (place + ahead < last) {
-            for (const int vertex : plans_[place + ahead].corner) __builtin_prefetch(&vertices[vertex]);
-        }
-        const ParentPlan& plan = plans_[place];
-        const ParentLayout& layout = layouts_[plan.layout];
-        note_loose_faces(plan, layout, loose);
-        const auto child = static_cast<std::size_t>(plan.first_child);
-        write_children(plane, plan, layout, vertices, 4 * (canonical_.tets() + plan.first_child),
-                       {child_tets_.data() + child, child_links_.data() + child, child_centroids_.data() + child, child_volumes_.data() + child,
-                        child_parents_.data() + child},
-                       points);
-    }
+    const std::size_t first = 1 + chunk * chunk_size, last = std::min(plans_.size(), first + chunk_size);
+    const int children = plans_[first].first_half_face / 4 - canonical_.tets();
+    const ChildArrays out{child_tets_.data() + children,    child_links_.data() + children,   child_centroids_.data() + children,
+                          child_volumes_.data() + children, child_parents_.data() + children, points_.data() - canonical_.vertices.size()};
+    write_children(plane, plans_.data() + first, plans_.data() + last, layouts_, canonical_.vertices.data(), out, loose);
 }
 
 Counts SubdivisionEngine::cut(const Cut& cut, const Among& among) {

@@ -57,12 +57,12 @@ public:
     /// New points, numbered from the original vertices on, m.
     const Buffer<std::array<double, 3>>& points() const { return points_; }
     const Counts& counts() const { return counts_; }
-    bool is_cut(int tet) const { return states_[tet].cut >= 0; }
+    bool is_cut(int tet) const { return state(tet).cut >= 0; }
     int originals() const { return canonical_.tets(); }
     const CanonicalMesh& canonical() const { return canonical_; }
     /// Of a cut tet: how it was divided, and its first child (counted among the children).
-    const PieceTable& pieces(int tet) const { return tables_[states_[tet].layout]; }
-    int first_child(int tet) const { return states_[tet].first_child; }
+    const PieceTable& pieces(int tet) const { return tables_[state(tet).layout]; }
+    int first_child(int tet) const { return state(tet).first_half_face / 4 - canonical_.tets(); }
     /// +1 or -1: the side of its cut.
     int side(int child) const { return pieces(child_parents_[child]).side[child - first_child(child_parents_[child])]; }
     /// Tets divided by the last cut, ascending, and the first of its children.
@@ -80,23 +80,21 @@ public:
 
 private:
     struct State {
-        int cut = -1;            ///< the cut that divided it, -1: whole
-        int first_child = 0;     ///< among the children
-        int place = 0;           ///< among the parents of that cut
-        unsigned layout = 0;     ///< how it is divided: 2 * sign pattern + odd
+        int cut = -1;             ///< the cut that divided it, -1: whole
+        int first_half_face = 0;  ///< of its children
+        int place = 0;            ///< in plans_, of that cut
+        unsigned layout = 0;      ///< how it is divided: 2 * sign pattern + odd
     };
+    const State& state(int tet) const { return states_[static_cast<std::size_t>(tet) + 1]; }
     void find_parents(const Cut& cut, const CuttingPlane& plane, const Among& among);
     void find_near_together(const Cut& cut, const CuttingPlane& plane, const Among& among);
     void find_in_box(std::size_t box, const Cut& cut, const CuttingPlane& plane, const Among& among, Buffer<std::uint64_t>& found) const;
     bool passes_disc(const Cut& cut, const CuttingPlane& plane, int tet) const;
     void plan_parents();
-    template <int cuts>
-    void plan_faces(const ParentLayout& layout, const CanonicalMesh::Record& record, ParentPlan& plan, int& next_point);
-    bool plan_base(const ParentLayout& layout, int behind, ParentPlan& plan, int next_point);
+    void plan_points(const ParentLayout& layout, const CanonicalMesh::Record& record, ParentPlan& plan, int& next_point);
+    void join_earlier_base(const State& there, ParentPlan& plan);
     void write_all_parents(const CuttingPlane& plane);
     void write_parents(const CuttingPlane& plane, std::size_t chunk, Buffer<LooseFace>& loose);
-    void note_loose_faces(const ParentPlan& plan, const ParentLayout& layout, Buffer<LooseFace>& loose) const;
-    int first_half_face(const State& state) const { return 4 * (canonical_.tets() + state.first_child); }
     class Renumbering;
     void append_whole(int tet, const Renumbering& renumbering, Subdivided& out) const;
     void append_child(std::size_t child, const Renumbering& renumbering, Subdivided& out) const;
@@ -111,10 +109,10 @@ private:
     TetBoxes boxes_;
     mesh::TetMesh original_;
     Options options_;
-    LargeVector<State> states_;
+    LargeVector<State> states_;      ///< the first belongs to no tet, then per tet: see state()
     LargeVector<int> edge_point_;    ///< per edge: the number of its last cut point; one of an earlier cut is below first_point_
     Buffer<std::uint64_t> found_;    ///< parents of the current cut: 16 * tet + sign pattern, ascending
-    Buffer<ParentPlan> plans_;       ///< of the current cut
+    Buffer<ParentPlan> plans_;       ///< of the current cut; the first belongs to no parent
     Buffer<int> parents_;            ///< of all cuts
     Buffer<LooseFace> loose_;        ///< of all cuts
     std::size_t first_parent_ = 0;   ///< of the current cut

@@ -1,5 +1,6 @@
 #include "solver/subdivision/child_writer.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -82,7 +83,7 @@ inline void write_numbers(const ParentPlan& plan, const ChildPattern& pattern, c
         __m256i numbers;
         if constexpr (in_ring) {
             numbers = _mm256_blend_epi32(from_corners, from_faces, 0b11001100);
-            const Int8 outer = plan.ring[ring] + load<Int8>(&pattern.outer[pair]);
+            const Int8 outer = plan.behind[ring].ring + load<Int8>(&pattern.outer[pair]);
             behind = (Int8)_mm256_blendv_epi8((__m256i)behind, (__m256i)(outer > unlinked ? outer : unlinked),
                                               load<__m256i>(&pattern.is_outer[in_ring ? first_of_ring : pair]));
         } else {
@@ -94,12 +95,12 @@ inline void write_numbers(const ParentPlan& plan, const ChildPattern& pattern, c
     [&]<std::size_t... pair>(std::index_sequence<pair...>) { (write.template operator()<pair>(), ...); }(std::make_index_sequence<pairs>());
     int* half_faces = links->data();
     constexpr int cuts = pairs == 7 ? 3 : 4;
-    for (int k = 0; k < cuts; ++k) half_faces[pattern.lone[k]] = plan.lone[k];
+    for (int k = 0; k < cuts; ++k) half_faces[pattern.lone[k]] = std::max(plan.behind[k].lone, -1);
     if constexpr (cuts == 3) {
-        const int first_piece = plan.lone[3], second = plan.ring[3];
-        half_faces[pattern.base[0]] = first_piece;
-        half_faces[pattern.base[1]] = first_piece < 0 ? -1 : second;
-        half_faces[pattern.base[2]] = first_piece < 0 ? -1 : first_piece + ParentLayout::third_piece;
+        const auto [second, first_piece] = plan.behind[3];
+        half_faces[pattern.base[0]] = std::max(first_piece, -1);
+        half_faces[pattern.base[1]] = std::max(second, -1);
+        half_faces[pattern.base[2]] = std::max(first_piece + ParentLayout::third_piece, -1);
     }
     const Int8 parent = Int8{} + plan.tet;
     std::memcpy(out.parents, &parent, 32);
@@ -133,7 +134,8 @@ void write_volumes_of_two_two(double parent, const Vector4& minus, const Vector4
 
 /// The faces of a parent that have a tet behind them and no links.
 unsigned loose_faces(const ParentPlan& plan) {
-    return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(load<__m128i>(&plan.ring)))) & plan.inner_faces;
+    // The sign of each pair's upper half.
+    return static_cast<unsigned>(_mm256_movemask_pd(load<__m256d>(&plan.behind))) & plan.inner_faces;
 }
 
 /// A base of these corners, with what its extra links need while the tet behind it is whole.
@@ -148,7 +150,7 @@ void note_base(const ParentPlan& plan, const ParentLayout& layout, const Vector4
 /// Lists loose faces in the order of the sorted vertices opposite.
 void note_loose_faces(const ParentPlan& plan, const ParentLayout& layout, const Vector4* vertices, unsigned loose_faces, Buffer<LooseFace>& loose) {
     for (int face = 0; face < 4; ++face) {
-        if ((loose_faces >> layout.seen[face].place & 1U) == 0) continue;
+        if ((loose_faces >> layout.place[face] & 1U) == 0) continue;
         LooseFace& added = *loose.grow_by(1);
         added.face = 4 * plan.tet + face;
         added.behind = -1;

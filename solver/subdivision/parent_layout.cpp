@@ -49,9 +49,9 @@ ParentLayout layout_of(unsigned plus_mask, const PieceTable& pieces) {
         ParentLayout::Own& own = layout.own[k];
         own.edge = static_cast<std::uint8_t>(cut.points[k < cuts ? k : 0] - first_edge_code);
         own.face = static_cast<std::uint8_t>(k < cuts ? cut.points[cuts + k] - first_face_code : cut.base_face);
-        own.ring = k < cuts ? half_face_on(pieces, rings[k], own.face) : half_face_on(pieces, rings[1] + 2, own.face);
-        own.lone = half_face_on(pieces, k < cuts ? lone_child(pieces, rings, cuts, own.face) : rings[0] + 2, own.face);
-        layout.seen[own.face] = {static_cast<std::uint8_t>(k), own.ring, own.lone};
+        layout.place[own.face] = static_cast<std::uint8_t>(k);
+        layout.ends[own.face] = {half_face_on(pieces, k < cuts ? rings[k] : rings[1] + 2, own.face),
+                                 half_face_on(pieces, k < cuts ? lone_child(pieces, rings, cuts, own.face) : rings[0] + 2, own.face)};
         for (int byte = 0; byte < 4; ++byte) layout.role_bytes[4 * k + byte] = static_cast<std::uint8_t>(4 * cut.roles[k] + byte);
     }
     return layout;
@@ -74,7 +74,7 @@ ChildPattern pattern_of(const CutTemplate& cut, const PieceTable& pieces, const 
             pattern.is_outer[pair][lane] = -1;
         }
     }
-    for (int k = 0; k < cuts; ++k) pattern.lone[k] = layout.own[k].lone;
+    for (int k = 0; k < cuts; ++k) pattern.lone[k] = static_cast<std::uint8_t>(layout.ends[layout.own[k].face].lone);
     if (cut.base_face >= 0) {
         for (int k = 0; k < 3; ++k) pattern.base[k] = half_face_on(pieces, rings[k] + 2, cut.base_face);
         const auto& below = pieces.codes[1];

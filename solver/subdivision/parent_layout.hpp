@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/subdivision/parent_plan.hpp"
 #include "solver/subdivision/piece_tables.hpp"
 
 #include <array>
@@ -30,13 +31,6 @@ struct ParentLayout {
     struct Own {
         std::uint8_t edge;  ///< its number 0..5
         std::uint8_t face;  ///< the sorted vertex opposite
-        std::uint8_t ring;  ///< half face (from the first child's on) of the ring's first triangle; of a base's second piece
-        std::uint8_t lone;  ///< half face of the lone vertex's triangle; of a base's first piece
-    };
-    /// A face as the tet behind it sees it, which knows it by the sorted vertex opposite.
-    struct Seen {
-        std::uint8_t place;  ///< in `own`
-        std::uint8_t ring, lone;
     };
     /// A base's third piece stands so many half faces after its first.
     static constexpr int third_piece = 32;
@@ -46,7 +40,8 @@ struct ParentLayout {
     std::uint8_t children = 0;
     std::int8_t base_face = -1;              ///< sorted vertex opposite, -1: none
     std::array<Own, 4> own{};
-    std::array<Seen, 4> seen{};
+    std::array<std::uint8_t, 4> place{};     ///< of a face in `own`, by the sorted vertex opposite
+    std::array<LinkEnds, 4> ends{};          ///< the links to a face end here (from the first child's half faces on), by the sorted vertex opposite
     alignas(16) std::array<std::uint8_t, 16> role_bytes{};  ///< the sorted vertices by role, as a byte shuffle of four ints
 };
 

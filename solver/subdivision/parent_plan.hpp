@@ -5,11 +5,18 @@
 
 namespace cleave::subdivision {
 
+/// Two half faces of a cut face by which all of its links are told: the first triangle of the quadrilateral's ring (the next three follow
+/// at 4, 8, 12) and the lone vertex's triangle. Of a base: its second and its first piece.
+struct alignas(8) LinkEnds {
+    int ring, lone;
+    static constexpr LinkEnds none() { return {-64, -64}; }  ///< still below 0 at all half faces of the ring
+    /// Both moved by the same number.
+    friend LinkEnds operator+(LinkEnds ends, LinkEnds by) { return {ends.ring + by.ring, ends.lone + by.lone}; }
+};
+
 /// Everything about a parent that is known before its children are written: points and links in the order of its layout, points by
 /// number.
 struct alignas(64) ParentPlan {
-    static constexpr int unlinked = -64;  ///< in `ring`: still below 0 at all of its half faces
-
     std::array<int, 4> corner;      ///< vertices, by role
     std::array<int, 4> cut_point;
     std::array<int, 4> face_point;  ///< barycentres of cut faces; of a 3-1 parent the fourth is its base's
@@ -19,9 +26,7 @@ struct alignas(64) ParentPlan {
     std::uint16_t makes;            ///< this parent is the first to have: bits 0..3 the cut points, 4..7 the face points, 8 the centre
     std::uint8_t layout;            ///< 2 * sign pattern + odd
     std::uint8_t inner_faces;       ///< bit k: a tet lies behind face k
-    /// Half faces behind the first triangle of each quadrilateral's ring (the next three follow at 4, 8, 12), `unlinked` at the boundary
-    /// and where faces do not conform; behind the lone vertex's triangle, or -1. Of a base: behind its second and its first piece.
-    std::array<int, 4> ring, lone;
+    std::array<LinkEnds, 4> behind; ///< `none` at the boundary and where faces do not conform
     int behind_base;                ///< the original half face behind the fourth face, below 0: none
 };
 static_assert(sizeof(ParentPlan) == 128);

@@ -91,7 +91,6 @@ private:
     void find_in_box(std::size_t box, const Cut& cut, const CuttingPlane& plane, const Among& among, Buffer<std::uint64_t>& found) const;
     bool passes_disc(const Cut& cut, const CuttingPlane& plane, int tet) const;
     void plan_parents();
-    void plan_points(const ParentLayout& layout, const CanonicalMesh::Record& record, ParentPlan& plan, int& next_point);
     void join_earlier_base(const State& there, ParentPlan& plan);
     void write_all_parents(const CuttingPlane& plane);
     void write_parents(const CuttingPlane& plane, std::size_t chunk, Buffer<LooseFace>& loose);

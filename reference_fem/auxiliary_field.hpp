@@ -26,6 +26,7 @@ public:
     State at(const Point& x, bool with_divergence) const;
     std::array<Point, 3> displacement(const Point& x) const;  ///< by mode, m
 
+    const CrackFront& front() const { return front_; }
     /// Near-tip fields at the place of the front nearest to x.
     std::shared_ptr<const NearTip> tip(const Point& x) const { return near_tip(in_axes(material_, front_.locate(x).axes), form_); }
 

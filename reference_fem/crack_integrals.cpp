@@ -92,6 +92,12 @@ private:
     std::vector<int> active_;
 };
 
+void put_gradient(const CrackGrowth& crack, FieldSample& sample) {
+    if (!crack.gradient) return;
+    sample.gradient = crack.gradient(sample.position);
+    sample.stress = crack.solution.material(sample.cell).stress(sample.gradient);
+}
+
 /// Calls visit(sample, slope of q, q) at the points of all active cells.
 template <class Visit>
 void for_each_cell_sample(const CrackGrowth& crack, const LinearGrowth& growth, const Visit& visit) {
@@ -101,7 +107,8 @@ void for_each_cell_sample(const CrackGrowth& crack, const LinearGrowth& growth, 
         const std::vector<int> some(cells.begin() + static_cast<long>(begin), cells.begin() + static_cast<long>(std::min(cells.size(), begin + batch)));
         int cell = -1;
         Tensor slope{};
-        for (const FieldSample& sample : crack.solution.cell_samples(some)) {
+        for (FieldSample& sample : crack.solution.cell_samples(some)) {
+            put_gradient(crack, sample);
             if (sample.cell != cell) slope = growth.slope(cell = sample.cell);
             visit(sample, slope, growth.at(cell, slope, sample.position));
         }
@@ -111,7 +118,8 @@ void for_each_cell_sample(const CrackGrowth& crack, const LinearGrowth& growth, 
 /// The same on a surface.
 template <class Visit>
 void for_each_surface_sample(const CrackGrowth& crack, const LinearGrowth& growth, int surface, const Visit& visit) {
-    for (const SurfaceSample& sample : crack.solution.surface_samples(surface, [&](int cell) { return !growth.vanishes(cell); })) {
+    for (SurfaceSample& sample : crack.solution.surface_samples(surface, [&](int cell) { return !growth.vanishes(cell); })) {
+        put_gradient(crack, sample);
         const Tensor slope = growth.slope(sample.cell);
         visit(sample, slope, growth.at(sample.cell, slope, sample.position));
     }
@@ -131,43 +139,39 @@ VectorField traction_field(const Traction& load, const Point& normal) {
     return [&load, normal](const Point& x) { return times(load.stress(x), normal); };
 }
 
-double load_rate(const CrackGrowth& crack, const LinearGrowth& growth) {
-    double rate = 0;
+/// Calls add(surface, sample, rate of the load's vector over dS) at the points of all loaded surfaces: the load that a moved surface element gains.
+template <class Add>
+void for_each_load_rate(const CrackGrowth& crack, const LinearGrowth& growth, const Add& add) {
     for (const Traction& load : crack.problem.tractions)
         for_each_surface_sample(crack, growth, load.surface, [&](const SurfaceSample& s, const Tensor& slope, const Point& q) {
             const Point spread = area_rate(slope, s.normal);
             const Point grown = load.value ? dot(s.normal, spread) * load.value(s.position) : times(load.stress(s.position), spread);
-            rate += s.weight * dot(s.displacement, grown + change_along(traction_field(load, s.normal), s.position, q));
+            add(load.surface, s, grown + change_along(traction_field(load, s.normal), s.position, q));
         });
     for (const Pressure& load : crack.problem.pressures)
-        for_each_surface_sample(crack, growth, load.surface, [&](const SurfaceSample& s, const Tensor& slope, const Point&) {
-            rate -= s.weight * load.value * dot(s.displacement, area_rate(slope, s.normal));
-        });
-    return rate;
+        for_each_surface_sample(crack, growth, load.surface,
+                                [&](const SurfaceSample& s, const Tensor& slope, const Point&) { add(load.surface, s, -load.value * area_rate(slope, s.normal)); });
 }
 
-/// A little inside the body: on the lips the side counts.
-Point inside(const SurfaceSample& s) { return s.position - 1e-5 * std::sqrt(s.weight) * s.normal; }
+/// The same of the body force, over dV.
+Point body_force_rate(const VectorField& force, const Point& x, const Tensor& slope, const Point& q) {
+    return trace(slope) * force(x) + change_along(force, x, q);
+}
 
-/// Work per displacement of the loads on surfaces: int t_i v_i,k q_k dS for the three auxiliary fields.
-void add_surface_loads(const CrackGrowth& crack, const LinearGrowth& growth, const AuxiliaryField& field, Intensities& sum) {
-    const auto add = [&](const SurfaceSample& s, const Point& traction, const Point& q) {
-        const AuxiliaryField::State state = field.at(inside(s), false);
-        for (int mode = 0; mode < 3; ++mode) sum[mode] -= s.weight * dot(traction, times(state.gradient[mode], q));
-    };
-    for (const Traction& load : crack.problem.tractions)
-        for_each_surface_sample(crack, growth, load.surface,
-                                [&](const SurfaceSample& s, const Tensor&, const Point& q) { add(s, traction_field(load, s.normal)(s.position), q); });
-    for (const Pressure& load : crack.problem.pressures)
-        for_each_surface_sample(crack, growth, load.surface,
-                                [&](const SurfaceSample& s, const Tensor&, const Point& q) { add(s, -load.value * s.normal, q); });
+/// Where the auxiliary fields are taken for a place of a surface: on the lips, which part them, on the side that the normal tells. Faces of
+/// a curved crack lie off its surface, and the distance from it must stay small against that from the front, for the sake of the traction.
+Point auxiliary_place(const SurfaceSample& s, bool on_lips, const AuxiliaryField& field) {
+    if (!on_lips) return s.position;
+    const FrontPlace place = field.front().locate(s.position);
+    const double side = dot(s.normal, place.axes[1]) < 0 ? 1 : -1;
+    return s.position + (side * 1e-6 * std::hypot(place.ahead, place.above) - place.above) * place.axes[1];
 }
 
 /// Tractions of the auxiliary fields on all surfaces: zero on the lips of a straight front only.
 void add_auxiliary_tractions(const CrackGrowth& crack, const LinearGrowth& growth, const AuxiliaryField& field, Intensities& sum) {
     for (const int surface : crack.solution.surfaces())
         for_each_surface_sample(crack, growth, surface, [&](const SurfaceSample& s, const Tensor&, const Point& q) {
-            const AuxiliaryField::State state = field.at(inside(s), false);
+            const AuxiliaryField::State state = field.at(auxiliary_place(s, surface == crack.lips, field), false);
             const Point along = times(s.gradient, q);
             for (int mode = 0; mode < 3; ++mode) sum[mode] -= s.weight * dot(times(state.stress[mode], s.normal), along);
         });
@@ -199,10 +203,11 @@ double crack_width(const CrackGrowth& crack) {
 double energy_release_by_domain(const CrackGrowth& crack) {
     const LinearGrowth growth(crack);
     const VectorField& force = crack.problem.body_force;
-    double sum = load_rate(crack, growth);
+    double sum = 0;
+    for_each_load_rate(crack, growth, [&](int, const SurfaceSample& s, const Point& rate) { sum += s.weight * dot(s.displacement, rate); });
     for_each_cell_sample(crack, growth, [&](const FieldSample& s, const Tensor& slope, const Point& q) {
         double density = turned_product(s.stress, s.gradient, slope) - 0.5 * full_product(s.stress, s.gradient) * trace(slope);
-        if (force) density += dot(s.displacement, trace(slope) * force(s.position) + change_along(force, s.position, q));
+        if (force) density += dot(s.displacement, body_force_rate(force, s.position, slope, q));
         sum += s.weight * density;
     });
     return sum / crack_width(crack);
@@ -214,15 +219,19 @@ FrontIntensities intensities_by_interaction(const CrackGrowth& crack, const Auxi
     Intensities sum{};
     for_each_cell_sample(crack, growth, [&](const FieldSample& s, const Tensor& slope, const Point& q) {
         const AuxiliaryField::State v = field.at(s.position, true);
-        const Point along = times(s.gradient, q);
+        const Point along = times(s.gradient, q), loaded = force ? body_force_rate(force, s.position, slope, q) : Point{};
+        const auto displacement = force ? field.displacement(s.position) : std::array<Point, 3>{};
         for (int mode = 0; mode < 3; ++mode) {
-            double density = turned_product(s.stress, v.gradient[mode], slope) + turned_product(v.stress[mode], s.gradient, slope) -
-                             full_product(s.stress, v.gradient[mode]) * trace(slope) + dot(v.divergence[mode], along);
-            if (force) density -= dot(force(s.position), times(v.gradient[mode], q));
+            const double density = turned_product(s.stress, v.gradient[mode], slope) + turned_product(v.stress[mode], s.gradient, slope) -
+                                   full_product(s.stress, v.gradient[mode]) * trace(slope) + dot(v.divergence[mode], along) +
+                                   dot(loaded, displacement[mode]);
             sum[mode] += s.weight * density;
         }
     });
-    add_surface_loads(crack, growth, field, sum);
+    for_each_load_rate(crack, growth, [&](int surface, const SurfaceSample& s, const Point& rate) {
+        const auto displacement = field.displacement(auxiliary_place(s, surface == crack.lips, field));
+        for (int mode = 0; mode < 3; ++mode) sum[mode] += s.weight * dot(displacement[mode], rate);
+    });
     add_auxiliary_tractions(crack, growth, field, sum);
 
     const double width = crack_width(crack);

@@ -12,6 +12,8 @@ struct CrackGrowth {
     const Solution& solution;
     VectorField growth;
     int lips = 0;  ///< surface of both lips
+    /// Where given, of the displacement in place of the solution's (grad[i][j] = du_i/dx_j): what is left is the integrals' own error.
+    std::function<Tensor(const Point&)> gradient{};
 };
 
 /// Potential energy (J) of a solution: its strain energy less the work of body force, tractions and pressures.
@@ -29,9 +31,10 @@ double energy_release_by_domain(const CrackGrowth& crack);
 
 /// Stress intensities (K_II, K_I, K_III), means over the growth, by the interaction integral with three auxiliary fields v of stress s
 /// (Stern, Becker and Dunham 1976; with Stroh's fields Wang, Stern and Dunham 1980):
-///   I width = int (sigma_ij v_i,k q_k,j + s_ij u_i,k q_k,j - sigma_ij v_i,j q_k,k) dV + int (s_ij,j u_i,k - f_i v_i,k) q_k dV
-///             - int (t_i v_i,k + s_ij n_j u_i,k) q_k dS,    k = L I,
-/// the last over all surfaces where q is not zero; t are the loads there. `place` is where the growth has its middle: L is taken there.
+///   I width = int sigma_ij v_i,k q_k,j + s_ij u_i,k q_k,j - sigma_ij v_i,j q_k,k + s_ij,j u_i,k q_k dV - int s_ij n_j u_i,k q_k dS + loads,  k = L I,
+/// the surface integral over all surfaces where q is not zero; the loads are those of energy_release_by_domain with v in place of u. Not
+/// -t_i v_i,k q_k, which is the same by parts: the edges of the mesh cut the curved front short by a strip h^2 / 8R wide, where v_i,k
+/// has a share of order h and v of order h^3. `place` is where the growth has its middle: L is taken there.
 struct FrontIntensities {
     Intensities k{};
     double energy_release = 0;  ///< k L^-1 k / 2, J/m^2

@@ -185,15 +185,24 @@ void add_step(const Check& check, std::vector<Row>& rows, LevelSources& sources)
     }
 }
 
-/// The order is taken over N^(-1/3), N the number of tets: a mesh generator meets the size asked for only roughly. Meshes whose
-/// parts refine differently have none.
+/// Over what an order is taken.
+enum class OrderOver { none, count, size };
+
+/// N^(-1/3), N the number of tets: a mesh generator meets the size asked for only roughly. Meshes whose parts refine differently have no
+/// such order; there a quantity of the crack's front, which the elements at the front decide, has one over their size, where it is asked for.
+OrderOver order_over(const Row& row, bool uniform) {
+    if (is_front_quantity(row.quantity)) return row.band.order_at_least ? OrderOver::size : OrderOver::none;
+    return uniform && !is_scalar(row.quantity) ? OrderOver::count : OrderOver::none;
+}
+
 void conclude(Row& row, bool uniform) {
     std::vector<double> sizes, errors;
+    const OrderOver over = order_over(row, uniform);
     for (const LadderStep& step : row.ladder) {
-        sizes.push_back(std::cbrt(1.0 / static_cast<double>(step.resolution.particles)));
+        sizes.push_back(over == OrderOver::size ? step.resolution.size : std::cbrt(1.0 / static_cast<double>(step.resolution.particles)));
         errors.push_back(step.error);
     }
-    if (uniform && sizes.size() >= 2)
+    if (over != OrderOver::none && sizes.size() >= 2)
         if (const double order = observed_order(sizes, errors); std::isfinite(order)) row.measurement.order = order;
     row.verdict = judge(row.measurement, row.band, row.must_fail);
 }
@@ -261,7 +270,7 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
     for (std::vector<Row>& of_check : rows)
         for (Row& row : of_check) {
             if (row.ladder.empty()) continue;  // a check for a size that this ladder does not have
-            conclude(row, of.shape->uniform_refinement() && !is_scalar(row.quantity));
+            conclude(row, of.shape->uniform_refinement());
             run.result.rows.push_back(std::move(row));
         }
     for (const auto& [profile, artifact] : drawn) attach(run.result.rows, *profile, artifact);

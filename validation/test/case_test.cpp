@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 namespace cleave::validation {
 namespace {
@@ -136,6 +138,15 @@ TEST(Case, ACheckForOneSizeEndsItsLadderThere) {
     EXPECT_FALSE(check.takes(0.5, ladder));
     EXPECT_FALSE(check.takes(2, without)) << "a ladder without the size has no such check";
     EXPECT_TRUE(read_cases(write(good), {})[0].checks[0].takes(0.5, ladder));
+}
+
+TEST(Case, OnGradedMeshesOnlyQuantitiesOfTheFrontHaveAnOrder) {
+    std::ifstream file(std::string(CLEAVE_CASE_FOLDER) + "/fracture_corner.toml");
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(error_of(text), "no error");
+    const std::string band = "band = { relative = 0.2 }";
+    text.replace(text.find(band), band.size(), "band = { order_at_least = 0.5 }");
+    EXPECT_NE(error_of(text).find("check[0].band: expected no order_at_least for a shape whose mesh is graded"), std::string::npos) << error_of(text);
 }
 
 TEST(Runner, ACheckForOneSizeIsJudgedThere) {

@@ -13,6 +13,7 @@
 
 #include <filesystem>
 #include <map>
+#include <random>
 
 namespace cleave::simulation {
 namespace {
@@ -193,9 +194,22 @@ TEST_F(Run, BadCheckpointsAreRefused) {
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find("version 2 (not 1)"), std::string::npos) << error.what();
     }
-    std::string bad = good;
-    bad[bad.size() / 2] = static_cast<char>(bad[bad.size() / 2] ^ 1);
-    EXPECT_THROW(read_checkpoint(bad, one.text, "c"), InputError);
+}
+
+TEST_F(Run, AThousandSingleBitFlipsAreRefused) {
+    const Scene one = scene({{"frames", "8"}});
+    run(one, "a");
+    std::string bytes = read_file(root_ / "a/checkpoint-00008.cleave");
+    std::mt19937 random(11);  // seeded
+    std::uniform_int_distribution<std::size_t> place(0, 8 * bytes.size() - 1);
+    for (int i = 0; i < 1000; ++i) {
+        const std::size_t bit = place(random);
+        const auto flip = [&] { bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ (1 << bit % 8)); };
+        flip();
+        EXPECT_THROW(read_checkpoint(bytes, one.text, "c"), InputError) << "bit " << bit;
+        flip();
+    }
+    EXPECT_NO_THROW(read_checkpoint(bytes, one.text, "c"));
 }
 
 TEST_F(Run, TheBasicSchemeKeepsItsParticles) {

@@ -2,6 +2,7 @@
 
 #include "solver/input/input_error.hpp"
 #include "solver/simulation/run.hpp"
+#include "solver/simulation/scene_table.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -20,9 +21,9 @@ constexpr int interrupted_exit_code = 130;   // as shells have it: 128 + SIGINT
 
 struct Arguments {
     std::string scene, out, restart;
-    std::vector<std::string> sets;
+    std::vector<std::string> sets, table;
     int frames = 0, threads = 0;
-    bool list = false;
+    bool list = false, all_dynamic = false;
 };
 
 Overrides overrides_of(const Arguments& arguments) {
@@ -32,6 +33,7 @@ Overrides overrides_of(const Arguments& arguments) {
         if (equals == std::string::npos || equals == 0) throw InputError("", "--set", fmt::format("KEY=VALUE (not '{}')", text));
         overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
     }
+    if (arguments.all_dynamic) overrides.emplace_back("fracture.debris_below", "\"0 g\"");
     return overrides;
 }
 
@@ -85,6 +87,8 @@ int body(int argc, char** argv) {
     app.add_option("--threads", arguments.threads, "default: all cores")->check(CLI::PositiveNumber);
     app.add_option("--restart", arguments.restart, "a checkpoint-*.cleave of an earlier run of this scene");
     app.add_option("--set", arguments.sets, "replace a value: KEY=VALUE with a dotted key, body[0].KEY for the first body")->allow_extra_args(false);
+    app.add_flag("--all-dynamic", arguments.all_dynamic, "no debris: every fragment, however small, stays a rigid body");
+    app.add_option("--table", arguments.table, "run nothing: the paper's Tables 1 and 2 beside the runs in these folders");
     app.add_flag("--list", arguments.list, "names of the shipped scenes");
     try {
         app.parse(argc, argv);
@@ -96,6 +100,10 @@ int body(int argc, char** argv) {
     }
     if (arguments.list) {
         fmt::print("{}\n", fmt::join(scene_names(), "\n"));
+        return 0;
+    }
+    if (!arguments.table.empty()) {
+        fmt::print("{}", scene_table({arguments.table.begin(), arguments.table.end()}));
         return 0;
     }
     if (arguments.scene.empty()) throw InputError("", "cleave simulate", fmt::format("SCENE.toml or one of {}", fmt::join(scene_names(), ", ")));

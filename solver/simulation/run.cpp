@@ -87,6 +87,7 @@ RunResult run_scene(const Scene& scene, const RunOptions& options) {
     while (simulation->frame() < scene.frames && !result.interrupted) {
         {
             const Stopwatch watch(times.simulated);
+            const ProcessorWatch processor(times.processor);
             result.interrupted = !simulation->advance(options.stop);
         }
         if (result.interrupted) break;

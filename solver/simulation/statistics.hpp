@@ -38,6 +38,7 @@ std::string statistics_json(const Simulation& simulation);
 struct RunTimes {
     double set_up = 0;     ///< s, meshes, kernels, operators
     double simulated = 0;  ///< s, frames without their output
+    double processor = 0;  ///< s of processor time for the same frames, all threads together
     double output = 0;     ///< s
     int frames = 0;        ///< made by this process
     int threads = 0;

@@ -1,6 +1,7 @@
 #include "solver/rigid/world.hpp"
 
 #include "solver/rigid/bullet_body.hpp"
+#include "solver/rigid/sphere_contacts.hpp"
 
 #include <Eigen/Geometry>
 
@@ -34,6 +35,7 @@ private:
 struct Engine {
     explicit Engine(const WorldOptions& options, const std::vector<Pair>& ignored)
         : dispatcher(&configuration, ignored), world(&dispatcher, &broadphase, &solver, &configuration) {
+        sphere_contacts.register_with(dispatcher);
         world.setGravity(to_bullet(options.gravity));
         world.getDispatchInfo().m_deterministicOverlappingPairs = true;
         // Penetration is mended by pushes that leave the velocities alone; Bullet's default does so only below 4 cm.
@@ -41,6 +43,7 @@ struct Engine {
         world.getSolverInfo().m_splitImpulsePenetrationThreshold = 0;
     }
     btDefaultCollisionConfiguration configuration;
+    SphereContacts sphere_contacts;
     Dispatcher dispatcher;
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver solver;

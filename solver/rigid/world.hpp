@@ -42,7 +42,7 @@ struct Motion {
 
 inline constexpr int ground_body = -1;
 
-/// Two bodies touch, in the last step. Ordered: a < b, except that the ground is always b.
+/// Two bodies touch, in the last step; compounds of spheres at four points at most. Ordered: a < b, except that the ground is always b.
 struct Contact {
     int a = 0, b = 0;                      ///< ids, b may be ground_body
     int sphere_a = -1, sphere_b = -1;      ///< which spheres; -1 for hulls and the ground

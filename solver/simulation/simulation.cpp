@@ -191,16 +191,16 @@ std::vector<double> Simulation::mechanical_energies() const {
     return energies;
 }
 
-/// Pieces that nothing pushed in the last step must not have gained energy.
+/// Pieces that nothing touched in the last step must not have gained energy. (A point without a normal impulse in the end may have had friction
+/// while the solver went on.)
 void Simulation::watch_energy(const std::vector<double>& before) {
-    std::vector<int> pushed;
-    for (const rigid::Contact& contact : world_->contacts())
-        if (contact.impulse > 0 || contact.distance < 0) pushed.insert(pushed.end(), {contact.a, contact.b});
-    std::sort(pushed.begin(), pushed.end());
+    std::vector<int> touched;
+    for (const rigid::Contact& contact : world_->contacts()) touched.insert(touched.end(), {contact.a, contact.b});
+    std::sort(touched.begin(), touched.end());
     const std::vector<double> after = mechanical_energies();
     for (std::size_t i = 0; i < before.size(); ++i) {
         const Piece& piece = state_.pieces[i];
-        if (piece.held || piece.rigid < 0 || std::binary_search(pushed.begin(), pushed.end(), piece.rigid)) continue;
+        if (piece.held || piece.rigid < 0 || std::binary_search(touched.begin(), touched.end(), piece.rigid)) continue;
         ++state_.watch.free_steps;
         state_.watch.energy_growth = std::max(state_.watch.energy_growth, after[i] - before[i]);
     }

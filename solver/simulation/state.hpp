@@ -45,12 +45,12 @@ struct Watch {
     double momentum_error = 0;          ///< linear, through a fracture, relative to mass times the fastest point's speed
     double angular_momentum_error = 0;  ///< relative to that times the size
     double mass_error = 0;              ///< relative
-    double energy_growth = 0;           ///< J, of a piece in a step in which nothing pushed it
+    double energy_growth = 0;           ///< J, of a piece in a step in which nothing touched it
     double energy_scale = 0;            ///< J, largest kinetic energy of the scene
     double penetration = 0;             ///< m
     std::int32_t boundary_at_start = 0;  ///< boundary particles
     std::int32_t steps = 0;
-    std::int64_t free_steps = 0;         ///< of single pieces that nothing pushed: those energy_growth is the largest of
+    std::int64_t free_steps = 0;         ///< of single pieces that nothing touched: those energy_growth is the largest of
     std::int32_t fractures = 0;         ///< contacts whose cracks changed a piece
 };
 

@@ -23,7 +23,7 @@ std::vector<QuantityInfo> scene_quantities();
 ///   bodies_broken                       bodies in more than one piece
 ///   least_difference                    over pairs of bodies: half the sum of differences between their pieces' shares of mass, largest first
 ///   mass_error, momentum_error, angular_momentum_error   worst of any fracture, relative (statistics.json)
-///   energy_growth                       largest growth of a piece's energy in a step in which nothing pushed it, over the scene's largest kinetic energy
+///   energy_growth                       largest growth of a piece's energy in a step in which nothing touched it, over the scene's largest kinetic energy
 ///   free_steps                          how many such steps of pieces there were
 ///   penetration                         deepest overlap of boundary particles
 std::map<std::string, double> scene_figures(const simulation::Simulation& run);

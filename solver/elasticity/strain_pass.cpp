@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <limits>
+#include <array>
 #include <stdexcept>
 
 // The baseline x86-64-v3 has AVX2 and FMA but no AES, without which Highway would take it for less.
@@ -37,100 +37,209 @@ Four transposed(Lanes r0, Lanes r1, Lanes r2, Lanes r3) {
             hn::ConcatUpperUpper(tag, t3, t1)};
 }
 
-/// The sums of the lanes of four vectors.
-void store_sums(Lanes r0, Lanes r1, Lanes r2, Lanes r3, double* sums) {
-    const Four columns = transposed(r0, r1, r2, r3);
-    hn::Store(hn::Add(hn::Add(columns.a, columns.b), hn::Add(columns.c, columns.d)), tag, sums);
+/// The same of four pairs of two halves, lower and upper.
+Four columns_of(const double* a, const double* b, const double* c, const double* d) {
+    const hn::CappedTag<double, 2> half;
+    const auto joined = [&](const double* low, const double* high) { return hn::Combine(tag, hn::Load(half, high), hn::Load(half, low)); };
+    const Lanes ac = joined(a, c), bd = joined(b, d), ac_upper = joined(a + 2, c + 2), bd_upper = joined(b + 2, d + 2);
+    return {hn::InterleaveLower(tag, ac, bd), hn::InterleaveUpper(tag, ac, bd), hn::InterleaveLower(tag, ac_upper, bd_upper),
+            hn::InterleaveUpper(tag, ac_upper, bd_upper)};
 }
 
-/// The sums B and S of one particle. Two loops over blocks of pairs, since one would need more registers than the baseline has.
-class PairSums {
-public:
-    /// Sums all pairs. `tensor` must be symmetric.
-    PairSums(const PackedParticle& own, const Eigen::Matrix3d& tensor, std::span<const int> list, const std::vector<PackedParticle>& packed) {
-        for (std::size_t first = 0; first < list.size(); first += block) {
-            const std::size_t count = std::min(block, list.size() - first);
-            for (std::size_t n = 0; n < count; ++n) pair_[n] = &packed[list[first + n]];
-            // Lanes beyond the end hold the particle itself: y = 0, and it counts nothing.
-            for (std::size_t n = count; n % 4 != 0; ++n) pair_[n] = &own;
-            add_moments(own, tensor, count);
-            add_displacements(own, count);
-        }
-    }
+constexpr std::size_t sums_of_s = 6, sums_of_b = 9, all_sums = sums_of_s + sums_of_b;
 
-    Eigen::Matrix3d moment() const {
-        const double* s = moment_;
-        return (Eigen::Matrix3d() << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5]).finished();
+/// The sums of four particles, S as 00, 01, 02, 11, 12, 22 and B by rows, each in four parts: [sum][particle][lane].
+struct alignas(32) PartialSums {
+    double part[all_sums][4][4];
+
+    /// One sum, lane by particle.
+    Lanes total(std::size_t sum) const {
+        const auto of = [&](int particle) { return hn::Load(tag, part[sum][particle]); };
+        const Four columns = transposed(of(0), of(1), of(2), of(3));
+        return hn::Add(hn::Add(columns.a, columns.b), hn::Add(columns.c, columns.d));
     }
-    Eigen::Matrix3d displacements() const { return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(moved_); }
+};
+
+/// Sums over the pairs of one particle. Two loops over blocks of pairs, since one would need more registers than the baseline has.
+class PairLoop {
+public:
+    PairLoop(const PackedParticle& own, const SupportForm& form, const std::vector<PackedParticle>& packed)
+        : own_(own), form_(form), packed_(packed.data()) {}
+
+    /// A multiple of four pairs.
+    void sum(std::span<const int> list, int particle, PartialSums& to) {
+        Lanes s[sums_of_s], b[sums_of_b];
+        for (Lanes& zero : s) zero = hn::Zero(tag);
+        for (Lanes& zero : b) zero = hn::Zero(tag);
+        for (std::size_t first = 0; first < list.size(); first += block) {
+            const auto part = list.subspan(first, std::min(block, list.size() - first));
+            add_moments(part, s);
+            add_displacements(part, b);
+        }
+        for (std::size_t k = 0; k < sums_of_s; ++k) hn::Store(s[k], tag, to.part[k][particle]);
+        for (std::size_t k = 0; k < sums_of_b; ++k) hn::Store(b[k], tag, to.part[sums_of_s + k][particle]);
+    }
 
 private:
     static constexpr std::size_t block = 128;
 
-    /// S, and w y of every pair of the block.
-    void add_moments(const PackedParticle& own, const Eigen::Matrix3d& g, std::size_t count) {
-        const Lanes x = hn::Set(tag, own.x), y = hn::Set(tag, own.y), z = hn::Set(tag, own.z);
-        const Lanes g00 = hn::Set(tag, g(0, 0)), g01 = hn::Set(tag, g(0, 1)), g02 = hn::Set(tag, g(0, 2));
-        const Lanes g11 = hn::Set(tag, g(1, 1)), g12 = hn::Set(tag, g(1, 2)), g22 = hn::Set(tag, g(2, 2));
-        const Lanes zero = hn::Zero(tag), one = hn::Set(tag, 1.0), least = hn::Set(tag, std::numeric_limits<double>::min());
-        Lanes s00 = zero, s01 = zero, s02 = zero, s11 = zero, s12 = zero, s22 = zero;
-        for (std::size_t n = 0; n < count; n += 4) {
-            const Four at = transposed(hn::Load(tag, &pair_[n]->x), hn::Load(tag, &pair_[n + 1]->x), hn::Load(tag, &pair_[n + 2]->x),
-                                       hn::Load(tag, &pair_[n + 3]->x));
+    /// S, and w r of every pair of the block.
+    void add_moments(std::span<const int> list, Lanes* s) {
+        const Lanes x = hn::Set(tag, own_.x), y = hn::Set(tag, own_.y), z = hn::Set(tag, own_.z);
+        const Lanes a00 = hn::Set(tag, form_.a00), a01 = hn::Set(tag, form_.twice01), a02 = hn::Set(tag, form_.twice02);
+        const Lanes a11 = hn::Set(tag, form_.a11), a12 = hn::Set(tag, form_.twice12), a22 = hn::Set(tag, form_.a22);
+        const Lanes zero = hn::Zero(tag), one = hn::Set(tag, 1.0), least = hn::Set(tag, 1e-300);
+        Lanes s00 = s[0], s01 = s[1], s02 = s[2], s11 = s[3], s12 = s[4], s22 = s[5];
+        const PackedParticle* const packed = packed_;
+        const int* const j = list.data();
+        for (std::size_t n = 0, count = list.size(); n < count; n += 4) {
+            const Four at = columns_of(&packed[j[n]].x, &packed[j[n + 1]].x, &packed[j[n + 2]].x, &packed[j[n + 3]].x);
             const Lanes rx = hn::Sub(at.a, x), ry = hn::Sub(at.b, y), rz = hn::Sub(at.c, z);
-            const Lanes y0 = hn::MulAdd(g00, rx, hn::MulAdd(g01, ry, hn::Mul(g02, rz)));
-            const Lanes y1 = hn::MulAdd(g01, rx, hn::MulAdd(g11, ry, hn::Mul(g12, rz)));
-            const Lanes y2 = hn::MulAdd(g02, rx, hn::MulAdd(g12, ry, hn::Mul(g22, rz)));
-            const Lanes q = hn::Sqrt(hn::Max(hn::MulAdd(y0, y0, hn::MulAdd(y1, y1, hn::Mul(y2, y2))), least));
+            const Lanes form = hn::MulAdd(rx, hn::MulAdd(a00, rx, hn::MulAdd(a01, ry, hn::Mul(a02, rz))),
+                                          hn::MulAdd(ry, hn::MulAdd(a11, ry, hn::Mul(a12, rz)), hn::Mul(a22, hn::Mul(rz, rz))));
+            // Root and reciprocal side by side: 1 / q = q (1 / q^2) is there sooner than a quotient that waits for the root.
+            const Lanes square = hn::Max(form, least), q = hn::Sqrt(square), per_square = hn::Div(one, square);
             const Lanes rest = hn::Max(hn::Sub(one, q), zero);
-            const Lanes w = hn::Div(hn::Mul(at.d, hn::Mul(rest, rest)), q);
-            const Lanes w0 = hn::Mul(w, y0), w1 = hn::Mul(w, y1), w2 = hn::Mul(w, y2);
+            const Lanes w = hn::Mul(hn::Mul(at.d, hn::Mul(q, per_square)), hn::Mul(rest, rest));
+            const Lanes w0 = hn::Mul(w, rx), w1 = hn::Mul(w, ry), w2 = hn::Mul(w, rz);
             hn::Store(w0, tag, weighted_[0] + n), hn::Store(w1, tag, weighted_[1] + n), hn::Store(w2, tag, weighted_[2] + n);
-            s00 = hn::MulAdd(w0, y0, s00), s01 = hn::MulAdd(w0, y1, s01), s02 = hn::MulAdd(w0, y2, s02);
-            s11 = hn::MulAdd(w1, y1, s11), s12 = hn::MulAdd(w1, y2, s12), s22 = hn::MulAdd(w2, y2, s22);
+            s00 = hn::MulAdd(w0, rx, s00), s01 = hn::MulAdd(w0, ry, s01), s02 = hn::MulAdd(w0, rz, s02);
+            s11 = hn::MulAdd(w1, ry, s11), s12 = hn::MulAdd(w1, rz, s12), s22 = hn::MulAdd(w2, rz, s22);
         }
-        alignas(32) double sums[8];
-        store_sums(s00, s01, s02, s11, sums), store_sums(s12, s22, zero, zero, sums + 4);
-        for (int k = 0; k < 6; ++k) moment_[k] += sums[k];
+        s[0] = s00, s[1] = s01, s[2] = s02, s[3] = s11, s[4] = s12, s[5] = s22;
     }
 
     /// B.
-    void add_displacements(const PackedParticle& own, std::size_t count) {
-        const Lanes u = hn::Set(tag, own.u), v = hn::Set(tag, own.v), w = hn::Set(tag, own.w), zero = hn::Zero(tag);
-        Lanes b00 = zero, b01 = zero, b02 = zero, b10 = zero, b11 = zero, b12 = zero, b20 = zero, b21 = zero, b22 = zero;
-        for (std::size_t n = 0; n < count; n += 4) {
-            const Four at = transposed(hn::Load(tag, &pair_[n]->u), hn::Load(tag, &pair_[n + 1]->u), hn::Load(tag, &pair_[n + 2]->u),
-                                       hn::Load(tag, &pair_[n + 3]->u));
+    void add_displacements(std::span<const int> list, Lanes* b) const {
+        const Lanes u = hn::Set(tag, own_.u), v = hn::Set(tag, own_.v), w = hn::Set(tag, own_.w);
+        Lanes b00 = b[0], b01 = b[1], b02 = b[2], b10 = b[3], b11 = b[4], b12 = b[5], b20 = b[6], b21 = b[7], b22 = b[8];
+        const PackedParticle* const packed = packed_;
+        const int* const j = list.data();
+        for (std::size_t n = 0, count = list.size(); n < count; n += 4) {
+            const Four at = columns_of(&packed[j[n]].u, &packed[j[n + 1]].u, &packed[j[n + 2]].u, &packed[j[n + 3]].u);
             const Lanes du = hn::Sub(at.a, u), dv = hn::Sub(at.b, v), dw = hn::Sub(at.c, w);
             const Lanes w0 = hn::Load(tag, weighted_[0] + n), w1 = hn::Load(tag, weighted_[1] + n), w2 = hn::Load(tag, weighted_[2] + n);
             b00 = hn::MulAdd(du, w0, b00), b01 = hn::MulAdd(du, w1, b01), b02 = hn::MulAdd(du, w2, b02);
             b10 = hn::MulAdd(dv, w0, b10), b11 = hn::MulAdd(dv, w1, b11), b12 = hn::MulAdd(dv, w2, b12);
             b20 = hn::MulAdd(dw, w0, b20), b21 = hn::MulAdd(dw, w1, b21), b22 = hn::MulAdd(dw, w2, b22);
         }
-        alignas(32) double sums[12];
-        store_sums(b00, b01, b02, b10, sums), store_sums(b11, b12, b20, b21, sums + 4), store_sums(b22, zero, zero, zero, sums + 8);
-        for (int k = 0; k < 9; ++k) moved_[k] += sums[k];
+        b[0] = b00, b[1] = b01, b[2] = b02, b[3] = b10, b[4] = b11, b[5] = b12, b[6] = b20, b[7] = b21, b[8] = b22;
     }
 
-    const PackedParticle* pair_[block];
+    const PackedParticle& own_;
+    const SupportForm& form_;
+    const PackedParticle* packed_;
     alignas(32) double weighted_[3][block];
-    double moment_[6]{}, moved_[9]{};  // S as 00, 01, 02, 11, 12, 22; B by rows
 };
+
+/// Gradients of four particles, by columns, and which of them have an S that can be inverted.
+struct Gradients {
+    Lanes value[9];
+    bool regular[4];
+
+    Gradients(const PartialSums& sums, const std::array<const SupportForm*, 4>& forms) {
+        const Lanes s00 = sums.total(0), s01 = sums.total(1), s02 = sums.total(2), s11 = sums.total(3), s12 = sums.total(4), s22 = sums.total(5);
+        const auto minor = [](Lanes a, Lanes b, Lanes c, Lanes d) { return hn::NegMulAdd(c, d, hn::Mul(a, b)); };
+        const Lanes c00 = minor(s11, s22, s12, s12), c01 = minor(s02, s12, s01, s22), c02 = minor(s01, s12, s02, s11);
+        const Lanes c11 = minor(s00, s22, s02, s02), c12 = minor(s01, s02, s00, s12), c22 = minor(s00, s11, s01, s01);
+        const Lanes determinant = hn::MulAdd(s00, c00, hn::MulAdd(s01, c01, hn::Mul(s02, c02)));
+        const Lanes inverse = hn::Div(hn::Set(tag, 1.0), determinant);
+        const Lanes minors[3][3] = {{c00, c01, c02}, {c01, c11, c12}, {c02, c12, c22}};
+        for (std::size_t a = 0; a < 3; ++a) {
+            const Lanes b0 = sums.total(sums_of_s + 3 * a), b1 = sums.total(sums_of_s + 3 * a + 1), b2 = sums.total(sums_of_s + 3 * a + 2);
+            for (std::size_t b = 0; b < 3; ++b)
+                value[3 * b + a] = hn::Mul(inverse, hn::MulAdd(b0, minors[0][b], hn::MulAdd(b1, minors[1][b], hn::Mul(b2, minors[2][b]))));
+        }
+        find_regular({s00, s01, s02, s11, s12, s22}, determinant, forms);
+    }
+
+    void replace(int particle, const Eigen::Matrix3d& gradient) {
+        for (int k = 0; k < 9; ++k) {
+            alignas(32) double lane[4];
+            hn::Store(value[k], tag, lane);
+            lane[particle] = gradient.data()[k];
+            value[k] = hn::Load(tag, lane);
+        }
+    }
+
+private:
+    /// det(G S G) against (tr(G S G) / 3)^3: how alike the neighbours lie all round, in the support's own measure.
+    void find_regular(const std::array<Lanes, 6>& s, Lanes determinant, const std::array<const SupportForm*, 4>& forms) {
+        const auto of = [&](double SupportForm::*part) {
+            alignas(32) const double values[4] = {forms[0]->*part, forms[1]->*part, forms[2]->*part, forms[3]->*part};
+            return hn::Load(tag, values);
+        };
+        constexpr std::array parts{&SupportForm::a00, &SupportForm::twice01, &SupportForm::twice02, &SupportForm::a11, &SupportForm::twice12,
+                                   &SupportForm::a22};
+        Lanes trace = hn::Zero(tag);  // of A S
+        for (std::size_t k = 0; k < sums_of_s; ++k) trace = hn::MulAdd(of(parts[k]), s[k], trace);
+        const Lanes mean = hn::Mul(trace, hn::Set(tag, 1.0 / 3));
+        const Lanes least = hn::Mul(hn::Mul(hn::Set(tag, singular), mean), hn::Mul(mean, mean));
+        alignas(32) double margin[4];
+        hn::Store(hn::Sub(hn::Mul(determinant, of(&SupportForm::determinant)), least), tag, margin);
+        for (int p = 0; p < 4; ++p) regular[p] = margin[p] > 0;
+    }
+};
+
+/// Writes `count` >= 4 values, lane by particle, to four arrays.
+void store_by_particle(const Lanes* value, std::size_t count, const std::array<double*, 4>& to) {
+    for (std::size_t k = 0;; k = std::min(k + 4, count - 4)) {  // the last four where fewer are left: some are written twice
+        const Four rows = transposed(value[k], value[k + 1], value[k + 2], value[k + 3]);
+        hn::StoreU(rows.a, tag, to[0] + k), hn::StoreU(rows.b, tag, to[1] + k);
+        hn::StoreU(rows.c, tag, to[2] + k), hn::StoreU(rows.d, tag, to[3] + k);
+        if (k + 4 == count) return;
+    }
+}
+
+/// Strain, stress and energy of four particles from their gradients: strain_of and strain_energy (strain.hpp).
+void append_fields(const Lanes* g, const std::array<const material::Stiffness*, 4>& stiffness, const std::array<std::size_t, 4>& id,
+                   const std::vector<double>& volume, Fields& fields) {
+    const Lanes strain[6] = {g[0], g[4], g[8], hn::Add(g[7], g[5]), hn::Add(g[6], g[2]), hn::Add(g[3], g[1])};
+    const bool alike = stiffness[0] == stiffness[1] && stiffness[0] == stiffness[2] && stiffness[0] == stiffness[3];
+    const auto c = [&](int a, int b) {
+        if (alike) return hn::Set(tag, (*stiffness[0])(a, b));
+        alignas(32) const double values[4] = {(*stiffness[0])(a, b), (*stiffness[1])(a, b), (*stiffness[2])(a, b), (*stiffness[3])(a, b)};
+        return hn::Load(tag, values);
+    };
+    Lanes stress[6], density = hn::Zero(tag);
+    for (int a = 0; a < 6; ++a) {
+        stress[a] = hn::Mul(c(a, 0), strain[0]);
+        for (int b = 1; b < 6; ++b) stress[a] = hn::MulAdd(c(a, b), strain[b], stress[a]);
+        density = hn::MulAdd(stress[a], strain[a], density);
+    }
+    const auto data = [&](auto& values) {
+        return std::array<double*, 4>{values[id[0]].data(), values[id[1]].data(), values[id[2]].data(), values[id[3]].data()};
+    };
+    store_by_particle(g, 9, data(fields.gradient));
+    store_by_particle(strain, 6, data(fields.strain));
+    store_by_particle(stress, 6, data(fields.stress));
+    alignas(32) double densities[4];
+    hn::Store(density, tag, densities);
+    for (std::size_t p = 0; p < 4; ++p) fields.energy[id[p]] = 0.5 * volume[id[p]] * densities[p];
+}
 
 }  // namespace
 
-StrainPass::StrainPass(const particles::Particles& particles, particles::NeighbourLists neighbours, Solid solid)
-    : particles_(particles), neighbours_(std::move(neighbours)), solid_(std::move(solid)), packed_(particles.position.size()) {
-    if (neighbours_.size() != particles_.size() || solid_.material.size() != packed_.size())
+StrainPass::StrainPass(const particles::Particles& particles, const particles::NeighbourLists& neighbours, Solid solid)
+    : particles_(particles), solid_(std::move(solid)), packed_(particles.position.size()) {
+    if (neighbours.size() != particles_.size() || solid_.material.size() != packed_.size())
         throw std::invalid_argument("one list and one material per particle");
+    lists_.offset.reserve(packed_.size() + 1), lists_.index.reserve(neighbours.index.size() + 2 * packed_.size());
+    lists_.offset.push_back(0);
     for (int i = 0; i < particles_.size(); ++i) {
         const Eigen::Vector3d& x = particles_.position[i];
         packed_[i] = {x[0], x[1], x[2], particles_.volume[i], 0, 0, 0, 0};
+        const Eigen::Matrix3d a = particles_.tensor[i] * particles_.tensor[i];
+        forms_.push_back({a(0, 0), 2 * a(0, 1), 2 * a(0, 2), a(1, 1), 2 * a(1, 2), a(2, 2), a.determinant()});
+        const auto list = neighbours.of(i);
+        lists_.index.insert(lists_.index.end(), list.begin(), list.end());
+        while (lists_.index.size() % 4 != 0) lists_.index.push_back(i);
+        lists_.offset.push_back(lists_.index.size());
     }
 }
 
 Eigen::Matrix3d StrainPass::gradient_by_pseudo_inverse(int i) const {
-    const auto list = neighbours_.of(i);
+    const auto list = lists_.of(i);
     std::vector<Eigen::Vector3d> weights(list.size());
     corrected_weights(particles_, i, list, weights);
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
@@ -141,34 +250,34 @@ Eigen::Matrix3d StrainPass::gradient_by_pseudo_inverse(int i) const {
     return gradient;
 }
 
-Eigen::Matrix3d StrainPass::gradient_of(int i) {
-    const PairSums sums(packed_[i], particles_.tensor[i], neighbours_.of(i), packed_);
-    const Eigen::Matrix3d moment = sums.moment();
-    const double mean = moment.trace() / 3;
-    Eigen::Matrix3d inverse;
-    double determinant = 0;
-    bool regular = false;
-    moment.computeInverseAndDetWithCheck(inverse, determinant, regular, singular * mean * mean * mean);
-    if (regular && determinant > 0) return sums.displacements().lazyProduct(inverse.lazyProduct(particles_.tensor[i]).eval());
-    ++fallbacks_;
-    return gradient_by_pseudo_inverse(i);
+void StrainPass::evaluate_four(const std::array<std::size_t, 4>& id, Fields& fields) {
+    PartialSums sums;
+    std::array<const SupportForm*, 4> forms;
+    std::array<const material::Stiffness*, 4> stiffness;
+    for (int p = 0; p < 4; ++p) {
+        forms[p] = &forms_[id[p]], stiffness[p] = &solid_.of(static_cast<int>(id[p]));
+        PairLoop(packed_[id[p]], *forms[p], packed_).sum(lists_.of(static_cast<int>(id[p])), p, sums);
+    }
+    Gradients gradients(sums, forms);
+    for (int p = 0; p < 4; ++p) {
+        if (gradients.regular[p]) continue;
+        if (p == 0 || id[p] != id[p - 1]) ++fallbacks_;
+        const Eigen::Matrix3d mended = gradient_by_pseudo_inverse(static_cast<int>(id[p]));
+        gradients.replace(p, mended);
+    }
+    append_fields(gradients.value, stiffness, id, particles_.volume, fields);
 }
 
 void StrainPass::evaluate(const std::vector<Eigen::Vector3d>& displacement, Fields& fields) {
     if (displacement.size() != packed_.size()) throw std::invalid_argument("one displacement per particle");
-    for (std::size_t i = 0; i < packed_.size(); ++i)
+    const std::size_t count = packed_.size();
+    for (std::size_t i = 0; i < count; ++i)
         packed_[i].u = displacement[i][0], packed_[i].v = displacement[i][1], packed_[i].w = displacement[i][2];
-    fields.gradient.resize(packed_.size()), fields.strain.resize(packed_.size());
-    fields.stress.resize(packed_.size()), fields.energy.resize(packed_.size());
+    fields.gradient.resize(count), fields.strain.resize(count), fields.stress.resize(count), fields.energy.resize(count);
     fallbacks_ = 0;
-    for (int i = 0; i < particles_.size(); ++i) {
-        const Eigen::Matrix3d g = fields.gradient[i] = gradient_of(i);
-        // strain_of and strain_energy (strain.hpp), in place.
-        const material::Voigt strain{g(0, 0), g(1, 1), g(2, 2), g(1, 2) + g(2, 1), g(0, 2) + g(2, 0), g(0, 1) + g(1, 0)};
-        const material::Voigt stress = solid_.of(i) * strain;
-        fields.strain[i] = strain;
-        fields.stress[i] = stress;
-        fields.energy[i] = 0.5 * particles_.volume[i] * strain.dot(stress);
+    for (std::size_t i = 0; i < count; i += 4) {
+        const auto or_last = [&](std::size_t id) { return std::min(id, count - 1); };
+        evaluate_four({i, or_last(i + 1), or_last(i + 2), or_last(i + 3)}, fields);
     }
 }
 

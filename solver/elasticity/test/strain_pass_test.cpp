@@ -59,6 +59,19 @@ TEST(StrainPass, equals_the_plain_loop_to_rounding) {
     }
 }
 
+/// Four particles at a time: of several materials, and a last group that is not full.
+TEST(StrainPass, every_particle_has_its_own_material) {
+    Body body(particles::from_mesh(test::box_mesh(3)));
+    ASSERT_EQ(body.particles.size() % 4, 2);
+    body.solid.stiffness.push_back(2.5 * stiffness());
+    body.solid.stiffness.push_back(material::Stiffness::Identity());
+    for (std::size_t i = 0; i < body.solid.material.size(); ++i) body.solid.material[i] = static_cast<int>(i / 6 % 3);
+    Fields fast, plain;
+    StrainPass(body.particles, body.lists, body.solid).evaluate(body.displacement, fast);
+    plain_strain_pass(body.particles, body.lists, body.solid, body.displacement, plain);
+    EXPECT_LT(largest_difference(fast, plain), 1e-12);
+}
+
 TEST(StrainPass, sees_a_single_displacement) {
     Body body(stretched(1));
     StrainPass pass(body.particles, body.lists, body.solid);

@@ -147,7 +147,11 @@ async function scenes(tab) {
     return { colours: colours.size, moved: early.filter((value, i) => Math.abs(value - late[i]) > 8).length };
   })()`);
   if (!shown) return ["scene: no stage"];
+  // Scene, fractures, then ours and the paper's by turns: ours must be numbers.
+  const blank = await tab.evaluate(`[...(document.querySelectorAll("#scenes table")[1]?.tBodies[0].rows ?? [])]
+    .flatMap((row) => [1, 2, 4, 6, 8].filter((column) => !/[0-9]/.test(row.cells[column].textContent))).length`);
   return [
+    ...(blank === 0 ? [] : [`scene: ${blank} times of ours are missing`]),
     ...(shown.colours > 20 ? [] : [`scene: looks blank (${shown.colours} colours)`]),
     ...(shown.moved > 100 ? [] : [`scene: does not move (${shown.moved} values differ)`]),
   ];

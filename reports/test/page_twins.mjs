@@ -39,6 +39,11 @@ const twins = [
     damage: at_the_end('document.querySelector("#samples").textContent = ""'),
     complaint: /empty section: samples/,
   },
+  {
+    name: "a time lost",
+    damage: at_the_end('document.querySelectorAll("#scenes table")[1].tBodies[0].rows[0].cells[4].textContent = "–"'),
+    complaint: /times of ours are missing/,
+  },
   { name: "no stage", damage: remove(".stage-view canvas"), complaint: /scene: no stage/ },
   {
     name: "a blank stage",

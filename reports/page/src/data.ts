@@ -90,8 +90,8 @@ export interface SceneTimings {
   frame_rate?: number;
   fractures?: number;
   stress_analysis?: { per_fracture_ms?: number };
-  subdivision_and_links?: { per_fracture_ms?: number };
-  fragment_generation?: { per_fracture_ms?: number };
+  subdivision?: { per_fracture_ms?: number };
+  crack_generation?: { per_fracture_ms?: number };
   paper?: {
     stress_analysis_ms?: number;
     particle_subdivision_ms?: number;

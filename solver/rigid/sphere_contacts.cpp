@@ -3,6 +3,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <LinearMath/btAabbUtil2.h>
 
 #include <new>
 #include <utility>
@@ -120,6 +121,27 @@ private:
     btPersistentManifold* manifold_ = nullptr;
 };
 
+/// Whether the boxes of two bodies still meet without the threshold of contacts, by which Bullet widens the box of what moves.
+bool boxes_meet(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+    const btVector3 slack(gContactBreakingThreshold, gContactBreakingThreshold, gContactBreakingThreshold);
+    return TestAabbAgainstAabb2(a.m_aabbMin + slack, a.m_aabbMax, b.m_aabbMin, b.m_aabbMax - slack) &&
+           TestAabbAgainstAabb2(a.m_aabbMin, a.m_aabbMax - slack, b.m_aabbMin + slack, b.m_aabbMax);
+}
+
+bool is_compound(const btBroadphaseProxy& proxy) {
+    return static_cast<const btCollisionObject*>(proxy.m_clientObject)->getCollisionShape()->getShapeType() == COMPOUND_SHAPE_PROXYTYPE;
+}
+
+/// Bullet's broad phase pairs bodies within 10 cm, many times the size of a fragment: what is apart is dropped before it costs more.
+void look_at_near(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info) {
+    if (boxes_meet(*pair.m_pProxy0, *pair.m_pProxy1) || !is_compound(*pair.m_pProxy0) || !is_compound(*pair.m_pProxy1))
+        return btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
+    if (!pair.m_algorithm) return;
+    pair.m_algorithm->~btCollisionAlgorithm();
+    dispatcher.freeCollisionAlgorithm(pair.m_algorithm);
+    pair.m_algorithm = nullptr;
+}
+
 }  // namespace
 
 btCollisionAlgorithm* SphereContacts::Maker::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info, Wrapper*, Wrapper*) {
@@ -130,6 +152,7 @@ void SphereContacts::register_with(btCollisionDispatcher& dispatcher) {
     for (const auto& [one, other] : {std::pair{COMPOUND_SHAPE_PROXYTYPE, COMPOUND_SHAPE_PROXYTYPE}, std::pair{COMPOUND_SHAPE_PROXYTYPE, STATIC_PLANE_PROXYTYPE},
                                      std::pair{STATIC_PLANE_PROXYTYPE, COMPOUND_SHAPE_PROXYTYPE}})
         dispatcher.registerCollisionCreateFunc(one, other, &maker_);
+    dispatcher.setNearCallback(look_at_near);
 }
 
 }  // namespace cleave::rigid

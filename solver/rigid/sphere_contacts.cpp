@@ -121,11 +121,11 @@ private:
     btPersistentManifold* manifold_ = nullptr;
 };
 
-/// Whether the boxes of two bodies still meet without the threshold of contacts, by which Bullet widens the box of what moves.
+/// Whether the boxes of two bodies still meet without the threshold of contacts, by which Bullet widens both.
 bool boxes_meet(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
-    const btVector3 slack(gContactBreakingThreshold, gContactBreakingThreshold, gContactBreakingThreshold);
-    return TestAabbAgainstAabb2(a.m_aabbMin + slack, a.m_aabbMax, b.m_aabbMin, b.m_aabbMax - slack) &&
-           TestAabbAgainstAabb2(a.m_aabbMin, a.m_aabbMax - slack, b.m_aabbMin + slack, b.m_aabbMax);
+    const btScalar widened = 2 * gContactBreakingThreshold;
+    const btVector3 both(widened, widened, widened);
+    return TestAabbAgainstAabb2(a.m_aabbMin + both, a.m_aabbMax - both, b.m_aabbMin, b.m_aabbMax);
 }
 
 bool is_compound(const btBroadphaseProxy& proxy) {

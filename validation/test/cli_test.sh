@@ -102,10 +102,18 @@ expect "a material by file, as JSON" 0 "16.737" "$material" M.toml --json
 expect "a material that is not positive definite" 2 "indefinite_material.toml" "$material" indefinite_material.toml --json
 expect "an unknown material" 2 "unobtainium" "$material" unobtainium
 
-# The README's examples work as they stand there: a case and a material.
-awk '/^```toml/ { file = "readme_" ++n ".toml"; next } /^```/ { file = "" } file { print > file }' "$readme"
-expect "the README's case" 0 "1 passed, 0 failed" "$validate" readme_1.toml --out readme
-expect "the README's material" 0 "orthotropic" "$material" readme_2.toml
+# The README's examples work as they stand there: cases of every kind and materials. (Its scene has a test of its own.)
+awk '/^```toml/ { file = "readme_" ++n ".toml"; next } /^```csv/ { file = "tensors.csv"; next } /^```/ { file = "" } file { print > file }' "$readme"
+kinds=0
+for example in readme_*.toml; do
+  if grep -q '^tier' "$example"; then
+    kinds=$((kinds + 1))
+    expect "the README's case $example" 0 " 0 failed" "$validate" "$example" --out readme
+  elif ! grep -q '^\[\[body\]\]' "$example"; then
+    expect "the README's material $example" 0 "Young's modulus" "$material" "$example"
+  fi
+done
+[ $kinds -ge 4 ] || { failures=$((failures + 1)); echo "FAILED: cases of the README are missing"; }
 
 [ -e bad ] && { failures=$((failures + 1)); echo "FAILED: bad input left something behind: $(ls bad)"; }
 

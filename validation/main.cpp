@@ -1,5 +1,6 @@
 // cleave-validate: runs cases, compares particles, finite elements and mathematics, writes results.
 
+#include "solver/input/command_line.hpp"
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
 #include "validation/merge.hpp"
@@ -7,7 +8,6 @@
 #include "validation/suite.hpp"
 #include "validation/timings.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -115,14 +115,7 @@ int body(int argc, char** argv) {
     app.add_option("--from", arguments.from, "folders of shards: run nothing, put their results together");
     app.add_option("--compare", arguments.compare, "an earlier results.json: print what drifted");
     app.add_flag("--list", arguments.list, "cases, shapes, solutions, solvers, quantities");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp&) {
-        fmt::print("{}", app.help());
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        throw InputError("", "cleave validate", fmt::format("valid options: {}", error.what()));
-    }
+    if (!parse_command_line(app, argc, argv, "cleave validate", "valid options")) return 0;
     if (!arguments.compare.empty()) (void)drift({}, arguments.compare);  // a broken file is told before the computing
     if (arguments.list) {
         fmt::print("{}", listing());

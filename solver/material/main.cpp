@@ -1,7 +1,7 @@
+#include "solver/input/command_line.hpp"
 #include "solver/input/input_error.hpp"
 #include "solver/material/material_report.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -38,14 +38,7 @@ int body(int argc, char** argv) {
     auto* name = app.add_option("material", options.material, "a name of the catalogue, or FILE.toml");
     app.add_flag("--json", options.json, "print JSON");
     app.add_flag("--list", options.list, "names of the catalogue")->excludes(name);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp&) {
-        fmt::print("{}", app.help());
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        throw InputError("", "command line", fmt::format("cleave material NAME|FILE.toml [--json] [--list] ({})", error.what()));
-    }
+    if (!parse_command_line(app, argc, argv, "command line", "cleave material NAME|FILE.toml [--json] [--list]")) return 0;
     if (!options.list && options.material.empty())
         throw InputError("", "command line", "cleave material NAME|FILE.toml [--json] [--list]");
     fmt::print("{}", answer(options));

@@ -1,3 +1,4 @@
+#include "solver/input/command_line.hpp"
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
 #include "solver/input/table_reader.hpp"
@@ -8,7 +9,6 @@
 #include "solver/mesh/recipes/recipes.hpp"
 #include "solver/mesh/vtu_file.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -85,14 +85,7 @@ int body(int argc, char** argv) {
     app.add_option("--count", options.count, "tets wanted, within 2 %")->check(CLI::Range(1, 100'000'000));
     app.add_option("--mesher", options.mesher, "netgen or gmsh")->check(CLI::IsMember(mesh::mesher_names()));
     app.add_flag("--json", options.json, "print JSON");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp&) {
-        fmt::print("{}", app.help());
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        throw InputError("", "command line", fmt::format("{} ({})", usage, error.what()));
-    }
+    if (!parse_command_line(app, argc, argv, "command line", usage)) return 0;
     run(options);
     return 0;
 }

@@ -1,10 +1,10 @@
 // cleave-simulate: runs a scene and writes its frames, its animation and its figures.
 
+#include "solver/input/command_line.hpp"
 #include "solver/input/input_error.hpp"
 #include "solver/simulation/run.hpp"
 #include "solver/simulation/scene_table.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <unistd.h>
@@ -90,14 +90,7 @@ int body(int argc, char** argv) {
     app.add_flag("--all-dynamic", arguments.all_dynamic, "no debris: every fragment, however small, stays a rigid body");
     app.add_option("--table", arguments.table, "run nothing: the paper's Tables 1 and 2 beside the runs in these folders");
     app.add_flag("--list", arguments.list, "names of the shipped scenes");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp&) {
-        fmt::print("{}", app.help());
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        throw InputError("", "cleave simulate", fmt::format("valid options: {}", error.what()));
-    }
+    if (!parse_command_line(app, argc, argv, "cleave simulate", "valid options")) return 0;
     if (arguments.list) {
         fmt::print("{}\n", fmt::join(scene_names(), "\n"));
         return 0;

@@ -29,5 +29,6 @@ for frame in 05 10 15 20 25 30 35 40; do
 done
 run --set 'fracture.slowest_impact="1.5 m/s"' --out twin   # the comparison can fail
 cmp -s by1/statistics.json twin/statistics.json && { failures=1; echo "FAILED: another scene has the same bytes"; }
+"$simulate" --table by1 | grep -qE '^pot_adaptive .* / 6163 .* / 15717 .* / 1081 ' || { failures=1; echo "FAILED: the paper's columns are not in the table"; }
 rm -rf by2 by4 from* twin
 [ $failures = 0 ] && echo "the same bytes"

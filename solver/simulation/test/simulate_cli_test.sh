@@ -37,7 +37,9 @@ expect "README's scene" 0 "physical particles" sh -e commands.sh
 [ -s out/wedge/surface.glb ] && [ -s out/wedge/frames.pvd ] || fail "README's scene left no animation"
 grep -q '"fractures": 0' out/wedge/statistics.json && fail "README's scene does not break"
 expect "the table" 0 "wedge" "$simulate" --table out/wedge
-cp -r out/wedge kept
+grep -qE '^wedge +b ' stdout || fail "debris as the scene says is no run b"
+expect "all fragments dynamic" 0 "debris among them                0 " "$simulate" wedge.toml --frames 20 --all-dynamic --out dynamic
+"$simulate" --table dynamic out/wedge >table && grep -qE '^wedge +a ' table && grep -qE '^wedge +b ' table || fail "the table tells the runs apart"
 
 run() { "$simulate" wedge.toml --frames 30 "$@" >/dev/null 2>&1; }
 same() { for name in statistics.json surface.glb frames.pvd frames/00030.vtu; do cmp -s "$1/$name" "$2/$name" || fail "$3: $name differs"; done; }

@@ -52,17 +52,31 @@ int CrackOpening::open_new_parents(LinkTable& links) const {
     return removed;
 }
 
-/// Links over equal faces between these particles.
+/// Links over equal faces between these particles; those in blocks of tets beside the plane are not looked at.
 int CrackOpening::open_faces(LinkTable& links, const std::vector<int>& particles) const {
     if (particles.empty()) return 0;
-    const int first = particles.front();
-    std::vector<std::int8_t> sides(static_cast<std::size_t>(particles.back() - first + 1), 0);  // 0: not one of them
+    const LinkBlocks& blocks = links.blocks();
+    std::vector<std::uint8_t> beside(static_cast<std::size_t>(particles.back() / LinkBlocks::size) + 1, 0);
+    for (int block = 0; block < std::min(blocks.blocks(), static_cast<int>(beside.size())); ++block) {
+        beside[static_cast<std::size_t>(block)] = blocks.is_beside(block, crack_.disc);
+    }
+    const auto is_beside = [&](int particle) { return beside[static_cast<std::size_t>(particle / LinkBlocks::size)] != 0; };
+    std::vector<int> near;
+    for (const int particle : particles) {
+        if (!is_beside(particle)) near.push_back(particle);
+    }
+    const int first = particles.front(), last = particles.back();
+    std::vector<std::int8_t> sides(static_cast<std::size_t>(last - first + 1), 0);  // 0: beside the plane, or not one of these
     std::vector<std::array<int, 2>> found;
     int own_side = 0;
-    links.for_each_link_down(engine_, particles, [&](int particle) { sides[particle - first] = static_cast<std::int8_t>(own_side = side(particle)); },
-                             [&](int particle, int neighbour) {
-                                 if (neighbour >= first && sides[neighbour - first] == -own_side) found.push_back({particle, neighbour});
-                             });
+    links.for_each_link(engine_, near, [&](int particle) { sides[particle - first] = static_cast<std::int8_t>(own_side = side(particle)); },
+                        [&](int particle, int neighbour) {
+                            return neighbour >= first && neighbour <= last && (neighbour < particle || is_beside(neighbour));
+                        },
+                        [&](int particle, int neighbour) {
+                            const int other_side = is_beside(neighbour) ? side(neighbour) : sides[neighbour - first];
+                            if (other_side == -own_side) found.push_back({particle, neighbour});
+                        });
     int removed = 0;
     for (const auto& [particle, neighbour] : found) {
         if (!meets_disc(particle, neighbour)) continue;

@@ -11,6 +11,8 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cleave::fragments {
@@ -78,6 +80,8 @@ public:
 private:
     Crack valid(const Crack& crack, int fragment) const;
     void find_first_fragments();
+    template <class InBlock, class InBetween>
+    void walk(std::span<const int> particles, const InBlock& in_block, const InBetween& in_between) const;
     void unite(const std::vector<int>& particles);
     std::vector<int> split(int fragment, std::vector<int> particles);
 
@@ -88,6 +92,7 @@ private:
     std::vector<Fragment> fragments_;
     std::vector<int> fragment_of_;           ///< per particle number; -1: subdivided
     UnionFind sets_;
+    std::vector<std::uint8_t> in_parts_;     ///< per block, during a search: searched part by part
 };
 
 /// What every particle of a fragment takes from its parent (density, velocity, smoothing tensor, material, ...): of_original[parent(i)].

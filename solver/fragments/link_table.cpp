@@ -12,17 +12,24 @@ std::uint64_t pair_key(int first, int second) {
     return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
 }
 
-}  // namespace
-
-LinkTable::LinkTable(const SubdivisionEngine& engine) : own_(engine.originals()), state_(engine.originals(), 0) {
+/// Per original tet, in its own order of faces.
+subdivision::LargeVector<std::array<int, 4>> original_links(const SubdivisionEngine& engine) {
     const auto& records = engine.canonical().records;
-    for (std::size_t tet = 0; tet < own_.size(); ++tet) {
+    subdivision::LargeVector<std::array<int, 4>> links(records.size());
+    for (std::size_t tet = 0; tet < links.size(); ++tet) {
+        const auto& record = records[tet];
         for (int face = 0; face < 4; ++face) {
-            const int behind = records[tet].opposite[face];
-            own_[tet][records[tet].position[face]] = behind < 0 ? -1 : 4 * (behind / 4) + records[behind / 4].position[behind % 4];
+            const int behind = record.opposite[face];
+            links[tet][record.position[face]] = behind < 0 ? -1 : (behind & ~3) | record.position_behind(face);
         }
     }
+    return links;
 }
+
+}  // namespace
+
+LinkTable::LinkTable(const SubdivisionEngine& engine)
+    : own_(original_links(engine)), blocks_(own_, engine.canonical()), state_(static_cast<std::size_t>(engine.originals()), 0) {}
 
 void LinkTable::reset() {
     state_.assign(own_.size(), 0);

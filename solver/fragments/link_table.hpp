@@ -1,10 +1,15 @@
 #pragma once
 
+#include "solver/fragments/link_blocks.hpp"
 #include "solver/subdivision/subdivided.hpp"
 #include "solver/subdivision/subdivision_engine.hpp"
 
 #include <array>
 #include <cstdint>
+#include <cstring>
+#include <functional>
+#include <numeric>
+#include <span>
 #include <vector>
 
 namespace cleave::fragments {
@@ -41,10 +46,11 @@ public:
     int originals() const { return static_cast<int>(own_.size()); }
     int particles() const { return static_cast<int>(state_.size()); }
 
-    /// Calls visit(particle, neighbour) for each link over an equal face to a particle of a smaller number; particles ascending.
-    template <class Start, class Visit>
-    void for_each_link_down(const subdivision::SubdivisionEngine& engine, const std::vector<int>& particles, const Start& start,
-                            const Visit& visit) const {
+    /// Calls visit(particle, neighbour) for each link over an equal face to a particle for which wanted(particle, neighbour) holds;
+    /// particles ascending.
+    template <class Start, class Wanted, class Visit>
+    void for_each_link(const subdivision::SubdivisionEngine& engine, std::span<const int> particles, const Start& start, const Wanted& wanted,
+                       const Visit& visit) const {
         const std::uint8_t* state = state_.data();
         for (const int particle : particles) {
             start(particle);
@@ -57,11 +63,18 @@ public:
                 const int neighbour = behind[face] >> 2;  // -1 stays -1
                 const int safe = neighbour & ~(neighbour >> 31);
                 neighbours[count] = neighbour;
-                count += (static_cast<unsigned>(neighbour) < static_cast<unsigned>(particle)) & ((removed >> face & 1U) == 0) &
-                         ((state[safe] & gone) == 0);
+                count += static_cast<int>((neighbour >= 0) & wanted(particle, safe) & ((removed >> face & 1U) == 0) & ((state[safe] & gone) == 0));
             }
             for (int i = 0; i < count; ++i) visit(particle, neighbours[i]);
         }
+    }
+
+    const LinkBlocks& blocks() const { return blocks_; }
+    /// Whether none of a block's tets was subdivided or lost a link.
+    bool is_untouched(int block) const {
+        std::array<std::uint64_t, LinkBlocks::size / 8> states;
+        std::memcpy(states.data(), &state_[static_cast<std::size_t>(block * LinkBlocks::size)], sizeof states);
+        return std::accumulate(states.begin(), states.end(), std::uint64_t{0}, std::bit_or<>()) == 0;
     }
 
     /// Removes the link over an equal face, from both sides.
@@ -75,6 +88,7 @@ private:
     void pass_on_removals(const subdivision::SubdivisionEngine& engine, int parent);
 
     subdivision::LargeVector<std::array<int, 4>> own_;  ///< per original tet: behind each face, in the tet's own order of faces
+    LinkBlocks blocks_;
     std::vector<std::uint8_t> state_;                   ///< per particle: bits 0..3 removed links, `gone`: subdivided
     std::vector<PartialLink> partial_;                  ///< of all cuts, in the engine's order
     std::vector<std::uint64_t> removed_pairs_;          ///< removed partial links before the current cut, sorted

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -29,9 +30,12 @@ public:
     }
     void unite(int a, int b) { unite_root(find(a), b); }
 
-    /// Lets each of these numbers (whole sets, ascending) point to its root: look_up then needs no search.
-    void flatten(const std::vector<int>& numbers) {
-        for (const int number : numbers) root_[number] = root_[root_[number]];  // the smaller ones are flat already
+    /// Lets a number point to its root: look_up then needs no search. For all numbers of a set, ascending.
+    void flatten(int number) { root_[number] = root_[root_[number]]; }  // the smaller ones are flat already
+    /// Puts numbers in a row into the set of another, which is flat.
+    void follow(int first, int count, int other) {
+        const int root = root_[other];
+        std::fill_n(root_.begin() + first, count, root);
     }
     int look_up(int number) const { return root_[number]; }
 

@@ -80,71 +80,10 @@ CrackOutcome FragmentedBody::open(const Crack& crack, int fragment) {
     return outcome;
 }
 
-/// Calls in_block(block) for blocks that no crack has touched and whose tets are all among the particles, in_between(particles) for the
-/// others, in ascending order.
-template <class InBlock, class InBetween>
-void FragmentedBody::walk(std::span<const int> particles, const InBlock& in_block, const InBetween& in_between) const {
-    constexpr std::size_t size = LinkBlocks::size;
-    std::size_t start = 0;  // of the particles between blocks
-    for (std::size_t i = 0; i < particles.size();) {
-        const int block = particles[i] / LinkBlocks::size;
-        const bool whole = block < links_.blocks().blocks() && i + size <= particles.size() && particles[i] % LinkBlocks::size == 0 &&
-                           particles[i + size - 1] == particles[i] + LinkBlocks::size - 1 && links_.is_untouched(block);
-        if (!whole) {
-            ++i;
-            continue;
-        }
-        if (start < i) in_between(particles.subspan(start, i - start));
-        in_block(block);
-        start = i += size;
-    }
-    if (start < particles.size()) in_between(particles.subspan(start));
-}
-
-/// Finds the sets of linked particles among those given: part by part in blocks that no crack has touched, else one by one.
+/// Finds the sets of linked particles among those given, all of a fragment.
 void FragmentedBody::unite(const std::vector<int>& particles) {
-    const LinkBlocks& blocks = links_.blocks();
-    sets_.grow(particle_numbers());
-    in_parts_.assign(static_cast<std::size_t>(particle_numbers() / LinkBlocks::size) + 1, 0);
-    const std::uint8_t* in_parts = in_parts_.data();
-    const auto is_in_parts = [in_parts](int particle) { return in_parts[static_cast<unsigned>(particle) / LinkBlocks::size] != 0; };
-    walk(particles,
-         [&](int block) {
-             in_parts_[static_cast<std::size_t>(block)] = 1;
-             for (const int part : blocks.parts(block)) sets_.make_single(part);
-         },
-         [&](std::span<const int> between) {
-             for (const int particle : between) sets_.make_single(particle);
-         });
-    walk(particles,
-         [&](int block) {
-             for (const auto& [part, other] : blocks.links_down(block)) {
-                 if (is_in_parts(other)) sets_.unite(part, other);
-             }
-         },
-         [&](std::span<const int> between) {
-             int root = -1;
-             links_.for_each_link(engine_, between, [&](int particle) { root = sets_.find(particle); },
-                                  [&](int particle, int neighbour) { return (neighbour < particle) | is_in_parts(neighbour); },
-                                  [&](int, int neighbour) {
-                                      root = sets_.unite_root(root, is_in_parts(neighbour) ? blocks.part_of(neighbour) : neighbour);
-                                  });
-         });
-    const auto set_of = [&](int particle) { return is_in_parts(particle) ? blocks.part_of(particle) : particle; };
-    for (const PartialLink& partial : links_.partial()) {
-        const int first = partial.link.first / 4, second = partial.link.second / 4;
-        if (!partial.removed && fragment_of_[first] == fragment_of_[particles.front()]) sets_.unite(set_of(first), set_of(second));
-    }
-    walk(particles,
-         [&](int block) {
-             for (const int part : blocks.parts(block)) sets_.flatten(part);
-             const int first = block * LinkBlocks::size;
-             if (blocks.parts(block).size() == 1) sets_.follow(first, LinkBlocks::size, first);
-             else for (int tet = first; tet < first + LinkBlocks::size; ++tet) sets_.follow(tet, 1, blocks.part_of(tet));
-         },
-         [&](std::span<const int> between) {
-             for (const int particle : between) sets_.flatten(particle);
-         });
+    const int fragment = fragment_of_[static_cast<std::size_t>(particles.front())];
+    sets_.find(engine_, links_, particles, [&](int particle) { return fragment_of_[static_cast<std::size_t>(particle)] == fragment; });
 }
 
 /// Hands the particles to new fragments where they form several sets (returned), back to the fragment where they form one.

@@ -2,7 +2,7 @@
 
 #include "solver/fragments/crack.hpp"
 #include "solver/fragments/link_table.hpp"
-#include "solver/fragments/union_find.hpp"
+#include "solver/fragments/linked_sets.hpp"
 #include "solver/mesh/tet_mesh.hpp"
 #include "solver/subdivision/options.hpp"
 #include "solver/subdivision/subdivided.hpp"
@@ -11,8 +11,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <cstdint>
-#include <span>
 #include <vector>
 
 namespace cleave::fragments {
@@ -80,8 +78,6 @@ public:
 private:
     Crack valid(const Crack& crack, int fragment) const;
     void find_first_fragments();
-    template <class InBlock, class InBetween>
-    void walk(std::span<const int> particles, const InBlock& in_block, const InBetween& in_between) const;
     void unite(const std::vector<int>& particles);
     std::vector<int> split(int fragment, std::vector<int> particles);
 
@@ -91,8 +87,7 @@ private:
     LinkTable links_;
     std::vector<Fragment> fragments_;
     std::vector<int> fragment_of_;           ///< per particle number; -1: subdivided
-    UnionFind sets_;
-    std::vector<std::uint8_t> in_parts_;     ///< per block, during a search: searched part by part
+    LinkedSets sets_;
 };
 
 /// What every particle of a fragment takes from its parent (density, velocity, smoothing tensor, material, ...): of_original[parent(i)].

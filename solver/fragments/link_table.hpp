@@ -69,6 +69,14 @@ public:
         }
     }
 
+    /// Whether particles in a row, from the first on, have none of these links removed (bit per face).
+    bool has_all(int first, std::span<const std::uint8_t> faces) const {
+        const std::uint8_t* state = &state_[static_cast<std::size_t>(first)];
+        unsigned removed = 0;
+        for (std::size_t i = 0; i < faces.size(); ++i) removed |= static_cast<unsigned>(state[i] & faces[i]);
+        return removed == 0;
+    }
+
     const LinkBlocks& blocks() const { return blocks_; }
     /// Whether none of a block's tets was subdivided or lost a link.
     bool is_untouched(int block) const {

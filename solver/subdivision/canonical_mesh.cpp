@@ -1,104 +1,131 @@
 #include "solver/subdivision/canonical_mesh.hpp"
 
-#include "solver/subdivision/cut.hpp"
 #include "solver/subdivision/templates.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace cleave::subdivision {
 namespace {
 
-/// Items bucketed by a vertex (counting sort): those of vertex v stand from start[v] to start[v + 1].
-template <class Item>
-struct Buckets {
-    std::vector<int> start;
-    std::vector<Item> items;
+/// Sorts a tet's vertices by a network of five exchanges; returns the record's first part.
+CanonicalMesh::Record sorted_record(const std::array<int, 4>& vertices) {
+    CanonicalMesh::Record record{};
+    record.sorted = vertices;
+    record.position = {0, 1, 2, 3};
+    const auto exchange = [&](int i, int j) {
+        if (record.sorted[i] <= record.sorted[j]) return;
+        std::swap(record.sorted[i], record.sorted[j]);
+        std::swap(record.position[i], record.position[j]);
+        record.odd ^= 1;
+    };
+    exchange(0, 1), exchange(2, 3), exchange(0, 2), exchange(1, 3), exchange(1, 2);
+    record.opposite.fill(-1);
+    return record;
+}
+
+/// Edges and faces by their lowest vertex: 4 * tet + i for each tet that has the vertex as sorted vertex i, with others above it.
+struct Incidence {
+    std::vector<int> start, items;  ///< of vertex v from start[v] to start[v + 1]
+    Incidence(const CanonicalMesh& mesh, std::size_t vertices) : start(vertices + 1, 0) {
+        for (const CanonicalMesh::Record& record : mesh.records) {
+            for (int i = 0; i < 3; ++i) ++start[static_cast<std::size_t>(record.sorted[i]) + 1];
+        }
+        for (std::size_t v = 0; v < vertices; ++v) start[v + 1] += start[v];
+        items.resize(static_cast<std::size_t>(start[vertices]));
+        std::vector<int> next(start.begin(), start.end() - 1);
+        for (int tet = 0; tet < mesh.tets(); ++tet) {
+            for (int i = 0; i < 3; ++i) items[static_cast<std::size_t>(next[mesh.records[tet].sorted[i]]++)] = 4 * tet + i;
+        }
+    }
 };
 
-/// Calls emit(add) twice, where add(vertex, item) names each item: first to count, then to place.
-template <class Item, class Emit>
-Buckets<Item> bucketed(std::size_t vertices, const Emit& emit) {
-    Buckets<Item> buckets;
-    buckets.start.assign(vertices + 1, 0);
-    emit([&](int vertex, const Item&) { ++buckets.start[vertex + 1]; });
-    for (std::size_t v = 0; v < vertices; ++v) buckets.start[v + 1] += buckets.start[v];
-    buckets.items.resize(buckets.start[vertices]);
-    std::vector<int> next(buckets.start.begin(), buckets.start.end() - 1);
-    emit([&](int vertex, const Item& item) { buckets.items[next[vertex]++] = item; });
-    return buckets;
-}
+/// Numbers the edges above a vertex in the order in which its tets name them, and shortens what stands for the shortest edges' squares.
+class EdgeNumbers {
+public:
+    EdgeNumbers(CanonicalMesh& mesh) : mesh_(mesh), known_(mesh.vertices.size(), {-1, 0}) {}
 
-void sort_tets(const mesh::TetMesh& mesh, CanonicalMesh& out) {
-    for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet) {
-        const auto& vertices = mesh.tets[tet];
-        std::array<std::uint8_t, 4> position{0, 1, 2, 3};
-        std::sort(position.begin(), position.end(), [&](int a, int b) { return vertices[a] < vertices[b]; });
-        bool odd = false;
-        for (int i = 0; i < 4; ++i) {
-            out.records[tet].sorted[i] = vertices[position[i]];
-            for (int j = 0; j < i; ++j) odd ^= position[j] > position[i];
-        }
-        out.records[tet].position = position;
-        out.records[tet].odd = odd ? 1 : 0;
-    }
-}
-
-void number_edges(CanonicalMesh& out) {
-    struct Item {
-        int high, slot;  // 6 * tet + edge
-    };
-    const Buckets<Item> buckets = bucketed<Item>(out.vertices.size(), [&](const auto& add) {
-        for (int tet = 0; tet < out.tets(); ++tet) {
-            for (int e = 0; e < 6; ++e) {
-                const auto& v = out.records[tet].sorted;
-                add(v[edge_ends[e][0]], {v[edge_ends[e][1]], 6 * tet + e});
+    void name(int low, int item) {
+        CanonicalMesh::Record& record = mesh_.records[item / 4];
+        const int i = item % 4;
+        for (int j = i + 1; j < 4; ++j) {
+            const int high = record.sorted[j];
+            Known& known = known_[high];
+            if (known.low != low) {
+                known = {low, mesh_.edges++};
+                shorten(low, high);
             }
-        }
-    });
-    std::vector<Item> bucket;
-    for (std::size_t low = 0; low < out.vertices.size(); ++low) {
-        bucket.assign(buckets.items.begin() + buckets.start[low], buckets.items.begin() + buckets.start[low + 1]);
-        std::sort(bucket.begin(), bucket.end(), [](const Item& a, const Item& b) { return a.high < b.high; });
-        for (std::size_t i = 0; i < bucket.size(); ++i) {
-            if (i == 0 || bucket[i].high != bucket[i - 1].high) ++out.edges;
-            out.records[bucket[i].slot / 6].edge[bucket[i].slot % 6] = out.edges - 1;
+            record.edge[edge_code(i, j) - first_edge_code] = known.edge;
         }
     }
-}
 
-void link_faces(CanonicalMesh& out) {
-    struct Item {
-        int middle, high, slot;  // 4 * tet + face
-        bool same(const Item& other) const { return middle == other.middle && high == other.high; }
+private:
+    struct Known {
+        int low, edge;
     };
-    const Buckets<Item> buckets = bucketed<Item>(out.vertices.size(), [&](const auto& add) {
-        for (int tet = 0; tet < out.tets(); ++tet) {
-            const auto& v = out.records[tet].sorted;
-            add(v[1], {v[2], v[3], 4 * tet});
-            add(v[0], {v[2], v[3], 4 * tet + 1});
-            add(v[0], {v[1], v[3], 4 * tet + 2});
-            add(v[0], {v[1], v[2], 4 * tet + 3});
-        }
-    });
-    std::vector<Item> bucket;
-    for (std::size_t low = 0; low < out.vertices.size(); ++low) {
-        bucket.assign(buckets.items.begin() + buckets.start[low], buckets.items.begin() + buckets.start[low + 1]);
-        std::sort(bucket.begin(), bucket.end(), [](const Item& a, const Item& b) {
-            return a.middle != b.middle ? a.middle < b.middle : a.high < b.high;
-        });
-        for (std::size_t i = 0; i < bucket.size(); ++i) {
-            const int slot = bucket[i].slot;
-            const bool known = i > 0 && bucket[i].same(bucket[i - 1]);
-            out.records[slot / 4].opposite[slot % 4] = -1;
-            if (!known) continue;
-            if (i > 1 && bucket[i].same(bucket[i - 2])) throw std::invalid_argument("CanonicalMesh: three tets share a face");
-            const int other = bucket[i - 1].slot;
-            out.records[slot / 4].opposite[slot % 4] = other;
-            out.records[other / 4].opposite[other % 4] = slot;
+    void shorten(int low, int high) {
+        Vector4 &a = mesh_.vertices[low], &b = mesh_.vertices[high];
+        const Vector4 along = b - a, squares = along * along;
+        const double square = (squares[0] + squares[1]) + squares[2];
+        a[3] = std::min(a[3], square);
+        b[3] = std::min(b[3], square);
+    }
+    CanonicalMesh& mesh_;
+    std::vector<Known> known_;  ///< per vertex: the last edge that ends there, and its lower vertex
+};
+
+/// Finds the two tets at each face above a vertex, in a small table by the face's other vertices.
+class FacePairs {
+public:
+    FacePairs(CanonicalMesh& mesh) : mesh_(mesh), places_(64) {}
+
+    /// Call before a vertex with so many tets.
+    void start(std::size_t tets) {
+        ++round_;
+        std::size_t size = places_.size();
+        while (size < 8 * tets) size *= 2;  // three faces a tet
+        if (size > places_.size()) places_.assign(size, {});
+    }
+
+    void name(int item) {
+        const auto& v = mesh_.records[item / 4].sorted;
+        const int slot = item & ~3;
+        if (item % 4 == 0) {
+            add(v[2], v[3], slot + 1);
+            add(v[1], v[3], slot + 2);
+            add(v[1], v[2], slot + 3);
+        } else if (item % 4 == 1) {
+            add(v[2], v[3], slot);
         }
     }
-}
+
+private:
+    struct Place {
+        int round = 0;  ///< of another round: free
+        int middle, high, slot;
+        bool full;
+    };
+    void add(int middle, int high, int slot) {
+        const std::size_t mask = places_.size() - 1;
+        std::size_t at = (static_cast<std::uint32_t>(middle) * 0x9e3779b1U + static_cast<std::uint32_t>(high) * 0x85ebca6bU) >> 7 & mask;
+        while (places_[at].round == round_ && (places_[at].middle != middle || places_[at].high != high)) at = (at + 1) & mask;
+        Place& place = places_[at];
+        if (place.round != round_) {
+            place = {round_, middle, high, slot, false};
+            return;
+        }
+        if (place.full) throw std::invalid_argument("CanonicalMesh: three tets share a face");
+        place.full = true;
+        mesh_.records[slot / 4].opposite[slot % 4] = place.slot;
+        mesh_.records[place.slot / 4].opposite[place.slot % 4] = slot;
+    }
+    CanonicalMesh& mesh_;
+    std::vector<Place> places_;
+    int round_ = 0;
+};
 
 void note_positions_behind(CanonicalMesh& out) {
     for (CanonicalMesh::Record& record : out.records) {
@@ -113,16 +140,23 @@ void note_positions_behind(CanonicalMesh& out) {
 
 }  // namespace
 
-CanonicalMesh::CanonicalMesh(const mesh::TetMesh& mesh) : records(mesh.tets.size()) {
-    const std::vector<double> shortest = shortest_incident_edges(mesh);
+CanonicalMesh::CanonicalMesh(const mesh::TetMesh& mesh) {
     vertices.reserve(mesh.vertices.size());
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        const Eigen::Vector3d& x = mesh.vertices[v];
-        vertices.push_back(Vector4{x[0], x[1], x[2], shortest[v]});
+    for (const Eigen::Vector3d& x : mesh.vertices) vertices.push_back(Vector4{x[0], x[1], x[2], std::numeric_limits<double>::infinity()});
+    records.reserve(mesh.tets.size());
+    for (const auto& tet : mesh.tets) records.push_back(sorted_record(tet));
+    const Incidence incidence(*this, vertices.size());
+    EdgeNumbers edge_numbers(*this);
+    FacePairs face_pairs(*this);
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        const auto first = static_cast<std::size_t>(incidence.start[v]), last = static_cast<std::size_t>(incidence.start[v + 1]);
+        face_pairs.start(last - first);
+        for (std::size_t i = first; i < last; ++i) {
+            edge_numbers.name(static_cast<int>(v), incidence.items[i]);
+            face_pairs.name(incidence.items[i]);
+        }
     }
-    sort_tets(mesh, *this);
-    number_edges(*this);
-    link_faces(*this);
+    for (Vector4& vertex : vertices) vertex[3] = std::sqrt(vertex[3]);  // the root keeps the order: shortest_incident_edges, to the bit
     note_positions_behind(*this);
 }
 

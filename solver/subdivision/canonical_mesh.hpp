@@ -12,8 +12,8 @@ namespace cleave::subdivision {
 /// Four doubles in one register: x, y, z and something of the user's.
 using Vector4 __attribute__((vector_size(32))) = double;
 
-/// What the fast form knows about a mesh once and for all: vertices of each tet sorted by number, neighbours, edges
-/// numbered in the order of their sorted vertices. O(n) apart from sorting short lists per vertex.
+/// What the fast form knows about a mesh once and for all: vertices of each tet sorted by number, neighbours, numbers
+/// for the edges (those of one lower vertex together). O(n): nothing but the four vertices of a tet is sorted.
 struct CanonicalMesh {
     explicit CanonicalMesh(const mesh::TetMesh& mesh);
 

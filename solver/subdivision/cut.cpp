@@ -56,12 +56,14 @@ std::vector<double> shortest_incident_edges(const mesh::TetMesh& mesh) {
             for (int j = 0; j < i; ++j) {
                 // Shared edges come once per tet: subtract in one order, so that each gives the same bits.
                 const auto [low, high] = std::minmax(tet[i], tet[j]);
-                const double length = (mesh.vertices[high] - mesh.vertices[low]).norm();
-                shortest[low] = std::min(shortest[low], length);
-                shortest[high] = std::min(shortest[high], length);
+                const Vector3d along = mesh.vertices[high] - mesh.vertices[low];
+                const double square = (along[0] * along[0] + along[1] * along[1]) + along[2] * along[2];
+                shortest[low] = std::min(shortest[low], square);
+                shortest[high] = std::min(shortest[high], square);
             }
         }
     }
+    for (double& length : shortest) length = std::sqrt(length);
     return shortest;
 }
 

@@ -23,7 +23,7 @@ struct alignas(64) ParentPlan {
     int centre;                     ///< 2-2: the mean of the cut points
     int tet;
     int first_half_face;            ///< of its children
-    std::uint16_t makes;            ///< this parent is the first to have: bits 0..3 the cut points, 4..7 the face points, 8 the centre
+    std::uint16_t makes;            ///< bits of the points that this parent is the first to have: 0..3 cut points, 4..7 face points
     std::uint8_t layout;            ///< 2 * sign pattern + odd
     std::uint8_t inner_faces;       ///< bit k: a tet lies behind face k
     std::array<LinkEnds, 4> behind; ///< `none` at the boundary and where faces do not conform

@@ -92,6 +92,8 @@ private:
     bool passes_disc(const Cut& cut, const CuttingPlane& plane, int tet) const;
     void plan_parents();
     void join_earlier_base(const State& there, ParentPlan& plan);
+    void make_room(std::size_t children, std::size_t points);
+    struct Planner;
     void write_all_parents(const CuttingPlane& plane);
     void write_parents(const CuttingPlane& plane, std::size_t chunk, Buffer<LooseFace>& loose);
     class Renumbering;

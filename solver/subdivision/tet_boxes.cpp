@@ -29,7 +29,7 @@ std::vector<int> along_curve(const CanonicalMesh& mesh) {
         const Vector4 sum = (x[tet.sorted[0]] + x[tet.sorted[1]]) + (x[tet.sorted[2]] + x[tet.sorted[3]]);
         centres.emplace_back(sum[0], sum[1], sum[2]);
     }
-    return mesh::morton_order(centres);
+    return mesh::coarse_morton_order(centres);
 }
 
 }  // namespace
@@ -113,6 +113,8 @@ private:
 };
 
 TetBoxes::TetBoxes(const CanonicalMesh& mesh) {
+    items_.reserve(mesh.records.size() + mesh.records.size() / 8);
+    members_.reserve(mesh.records.size() + mesh.records.size() / 8);
     Filler filler(*this, mesh);
     for (const int tet : along_curve(mesh)) filler.add(tet);
     filler.close();

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 namespace cleave::fragments {
@@ -94,6 +95,30 @@ TEST(FragmentedBody, TheBasicSchemeRemovesExactlyTheIntersectedLinks) {
         }
         EXPECT_EQ(outcome.removed_links, removed);
     }
+}
+
+TEST(LinkBlocks, KnowWhatHangsTogetherInABlock) {
+    const FragmentedBody body(kuhn_cube(5, 0.1));  // numbered cell by cell, row by row: blocks of several parts among them
+    const LinkBlocks& blocks = body.links().blocks();
+    ASSERT_EQ(blocks.blocks(), 750 / LinkBlocks::size);
+    std::size_t parts = 0;
+    for (int block = 0; block < blocks.blocks(); ++block) {
+        parts += blocks.parts(block).size();
+        std::set<std::array<int, 2>> down;
+        for (int tet = block * LinkBlocks::size; tet < (block + 1) * LinkBlocks::size; ++tet) {
+            EXPECT_LE(blocks.part_of(tet), tet);
+            EXPECT_EQ(blocks.part_of(blocks.part_of(tet)), blocks.part_of(tet));
+            for (int face = 0; face < 4; ++face) {
+                const int behind = body.links().opposite(body.engine(), 4 * tet + face);
+                if (behind < 0 || behind / 4 / LinkBlocks::size > block) continue;
+                if (behind / 4 / LinkBlocks::size == block) EXPECT_EQ(blocks.part_of(tet), blocks.part_of(behind / 4));
+                else down.insert({blocks.part_of(tet), blocks.part_of(behind / 4)});
+            }
+        }
+        const auto known = blocks.links_down(block);
+        EXPECT_EQ(std::vector(known.begin(), known.end()), std::vector(down.begin(), down.end()));
+    }
+    EXPECT_GE(parts, static_cast<std::size_t>(blocks.blocks()));
 }
 
 TEST(FragmentedBody, InsideTheInnerRadiusParticlesAreAlone) {

@@ -19,6 +19,15 @@ TEST(Morton, VisitsTheOctantsInOrder) {
     EXPECT_TRUE(morton_order({}).empty());
 }
 
+TEST(Morton, TheCoarseOrderAgreesWithTheFineOne) {
+    const TetMesh mesh = test::kuhn_cube(7, 0.2);
+    EXPECT_EQ(coarse_morton_order(mesh.vertices), morton_order(mesh.vertices));  // no two vertices as near as 2^-10 of the box
+    const std::vector<Eigen::Vector3d> close{{0, 0, 0}, {3e-4, 0, 0}, {1e-4, 0, 0}, {1, 1, 1}};
+    EXPECT_EQ(morton_order(close), (std::vector<int>{0, 2, 1, 3}));
+    EXPECT_EQ(coarse_morton_order(close), (std::vector<int>{0, 1, 2, 3}));  // one place on the curve: by number
+    EXPECT_TRUE(coarse_morton_order({}).empty());
+}
+
 TEST(Morton, KeepsTheBody) {
     TetMesh mesh = test::kuhn_cube(4, 0.1);
     for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet) mesh.regions[tet] = tet_centroid(mesh, static_cast<int>(tet))[0] < 0.5 ? 3 : 4;

@@ -95,7 +95,8 @@ Band read_limits(TableReader& table, Unit unit) {
     if (table.has("relative")) band.relative = positive("relative", table.number("relative"));
     if (table.has("absolute")) band.absolute = positive("absolute", unit.read(table, "absolute"));
     if (table.has("order_at_least")) band.order_at_least = positive("order_at_least", table.number("order_at_least"));
-    if (band.empty()) table.fail("", "at least one of relative, absolute, order_at_least");
+    if (table.has("side")) band.side = table.choice("side", {"below", "above"}) == "below" ? Side::below : Side::above;
+    if (band.empty()) table.fail("", "at least one of relative, absolute, order_at_least, side");
     return band;
 }
 
@@ -117,12 +118,13 @@ std::map<std::string, Band> read_bands(TableReader& table, const Names& solvers,
 }
 
 void read_place(TableReader& table, const Case& of, Check& check) {
+    constexpr double any_size = 1;  // only whether the text can be read is asked here
     if (table.has("over") && table.has("at")) table.fail("over", "either 'over' or 'at'");
     if (auto over = table.table_if("over")) {
         check.region = over->string_or("region", "");
         check.norm = over->choice_or("norm", {"rms", "max", "p95"}, "rms");
         try {
-            (void)Region(check.region, of.shape->coordinates());
+            (void)Region(check.region, region_names(*of.shape, any_size));
         } catch (const std::invalid_argument& error) {
             over->fail("region", error.what());
         }
@@ -164,11 +166,19 @@ void require_consistency(const TableReader& table, const Check& check, const Cas
     if (scalar && !check.at.empty()) table.fail("at", "no place for a quantity of the whole body");
     if (check.reference.kind == Reference::Kind::value && !scalar && (check.at.empty() || check.observable.component.empty()))
         table.fail("reference", "'at' and 'component' beside a reference value");
-    for (const auto& [solver, band] : check.bands)
+    for (const auto& [solver, band] : check.bands) {
         if (band.absolute && check.observable.component.empty() && !scalar) table.fail("band", "'component' beside an absolute band");
+        if (band.side != Side::either && !scalar) table.fail("band", "no side for a field");
+    }
 }
 
 }  // namespace
+
+Coordinates region_names(const geometry::Shape& shape, double size) {
+    Coordinates names = shape.coordinates();
+    names["size"] = [size](const Point&) { return size; };
+    return names;
+}
 
 const std::vector<std::string>& solver_names() {
     static const std::vector<std::string> names{"fem.p1", "fem.p2", "sph.paper", "sph.corrected", "sph.quadratic",

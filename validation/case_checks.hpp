@@ -16,6 +16,9 @@ Profile read_profile(TableReader& table, const std::map<std::string, SolutionCal
 /// The solvers that checks may name.
 const std::vector<std::string>& solver_names();
 
+/// What a region may name: the shape's coordinates and lengths, and "size", the elements' size (m) on this step of the ladder.
+Coordinates region_names(const geometry::Shape& shape, double size);
+
 /// True for quantities of a crack's front, which have places near it.
 bool is_front_quantity(const std::string& quantity);
 

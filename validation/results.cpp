@@ -48,6 +48,7 @@ std::string band_text(const Band& band) {
     add("relative", band.relative);
     add("absolute", band.absolute);
     add("order at least", band.order_at_least);
+    if (band.side != Side::either) text += fmt::format("{}{} the reference", text.empty() ? "" : ", ", name(band.side));
     return text;
 }
 

@@ -17,6 +17,7 @@ Json band_json(const Band& band) {
     if (band.relative) json["relative"] = *band.relative;
     if (band.absolute) json["absolute"] = *band.absolute;
     if (band.order_at_least) json["order_at_least"] = *band.order_at_least;
+    if (band.side != Side::either) json["side"] = name(band.side);
     return json;
 }
 
@@ -57,6 +58,7 @@ Band band_of(const Json& json) {
     if (json.contains("relative")) band.relative = json["relative"].get<double>();
     if (json.contains("absolute")) band.absolute = json["absolute"].get<double>();
     if (json.contains("order_at_least")) band.order_at_least = json["order_at_least"].get<double>();
+    if (json.contains("side")) band.side = json["side"] == "below" ? Side::below : Side::above;
     return band;
 }
 

@@ -83,8 +83,8 @@ Samples reference_samples(const Check& check, LevelSources& sources, const std::
 }
 
 Measurement measure_field(const Check& check, const std::string& solver, LevelSources& sources) {
-    const Region region(check.region, sources.of().shape->coordinates());
-    const Samples method = restrict_to(sources.get(solver).everywhere(), region);
+    const FieldSource& source = sources.get(solver);
+    const Samples method = restrict_to(source.everywhere(), Region(check.region, region_names(*sources.of().shape, source.resolution().size)));
     Measurement measurement;
     if (check.reference.kind == Reference::Kind::none) {
         // Compared with itself: only the norm of the field is of interest.

@@ -30,6 +30,27 @@ TEST(Judge, OrderBand) {
     EXPECT_EQ(judge(measured(0, 0), order(1.9), false), Verdict::fail) << "no order was observed";
 }
 
+/// One end of a bracket: the reference itself is on both sides, and no value at all on neither.
+TEST(Judge, OneSidedBand) {
+    const auto judged = [](double value, Side side, bool must_fail = false) {
+        Measurement m;
+        m.value = value, m.reference = 2;
+        return judge(m, {{}, {}, {}, side}, must_fail);
+    };
+    EXPECT_EQ(judged(1.9, Side::below), Verdict::pass);
+    EXPECT_EQ(judged(2.1, Side::below), Verdict::fail);
+    EXPECT_EQ(judged(2.1, Side::above), Verdict::pass);
+    EXPECT_EQ(judged(1.9, Side::above), Verdict::fail);
+    EXPECT_EQ(judged(2, Side::below), Verdict::pass);
+    EXPECT_EQ(judged(2, Side::above), Verdict::pass);
+    EXPECT_EQ(judged(1.9, Side::above, true), Verdict::pass);
+    EXPECT_EQ(judged(2.1, Side::above, true), Verdict::fail);
+    for (const bool must_fail : {false, true}) {
+        EXPECT_EQ(judged(std::nan(""), Side::below, must_fail), Verdict::fail);
+        EXPECT_EQ(judge({}, {{}, {}, {}, Side::below}, must_fail), Verdict::fail) << "nothing measured";
+    }
+}
+
 TEST(Judge, EveryLimitOfABandMustHold) {
     const Band both{0.01, {}, 1.9};
     EXPECT_EQ(judge(measured(0.005, 1, 2.0), both, false), Verdict::pass);

@@ -115,6 +115,7 @@ export function band_text(band: Record<string, unknown> | null | undefined, unit
       if (key === "absolute" && amount !== null) return `≤${hard}${quantity(amount, unit)}`;
       if (key === "order_at_least") return `order ≥${hard}${as_text(value)}`;
       if (key === "angle") return `≤${hard}${amount === null ? as_text(value) : quantity(amount, "rad")}`;
+      if (key === "side") return `${as_text(value)} the reference`;
       if (key === "where") return `where ${as_text(value)}`;
       return `${words(key)} ${as_text(value)}`;
     })

@@ -1,9 +1,21 @@
 #include "reference_fem/crack_direction.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
 #include <numbers>
 
 namespace cleave::fem {
+
+PrincipalStress largest_principal_stress(const Voigt& stress) {
+    Eigen::Matrix3d tensor;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) tensor(i, j) = stress[voigt_index(i, j)];
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(tensor);
+    const Eigen::Vector3d values = eigen.eigenvalues(), n = eigen.eigenvectors().col(2);
+    const double size = tensor.norm();
+    return {values[2], {n[0], n[1], n[2]}, size > 0 ? (values[2] - values[1]) / size : 0};
+}
 
 double hoop_stress(const Stiffness& stiffness, const NearTip& tip, const Intensities& k, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);

@@ -12,6 +12,14 @@ namespace cleave::fem {
 /// from the crack's plane outwards.
 double kink_angle(const Stiffness& stiffness, const Intensities& k, const std::function<double(double angle)>& toughness);
 
+/// The largest principal stress of an un-notched body: a crack starts across `direction` where the gap is wide enough for it to mean anything.
+struct PrincipalStress {
+    double value = 0;   ///< Pa
+    Point direction{};  ///< unit vector, without sense: the crack's normal
+    double gap = 0;     ///< (largest - second) / Frobenius norm of the tensor; 0 for no stress
+};
+PrincipalStress largest_principal_stress(const Voigt& stress);
+
 /// Hoop stress of the near-tip field times sqrt(2 pi r), Pa m^0.5, at an angle from the crack's plane.
 double hoop_stress(const Stiffness& stiffness, const NearTip& tip, const Intensities& k, double angle);
 

@@ -44,10 +44,10 @@ struct Unit {
 };
 
 Names components_of(const std::string& quantity) {
-    if (quantity == "displacement") return {"x", "y", "z"};
+    if (quantity == "displacement" || quantity == "principal_direction") return {"x", "y", "z"};
     if (quantity == "stress_intensity") return {"I", "II", "III"};
     if (quantity == "crack_direction") return {"hoop", "hoop_size", "energy", "weighted"};
-    if (is_front_quantity(quantity)) return {};
+    if (is_front_quantity(quantity) || is_principal_quantity(quantity)) return {};
     return {"xx", "yy", "zz", "yz", "xz", "xy"};
 }
 
@@ -150,8 +150,9 @@ void require_reasons(const TableReader& table, const Check& check) {
             if (band.relative) table.fail("band", "an absolute band beside a reference of zero");
 }
 
-void require_front(const TableReader& table, const Check& check) {
-    if (check.at.empty()) table.fail("at", "places: the nearest places of the crack's front count (the key is missing)");
+/// Of a quantity that has places and one component where it has any.
+void require_places(const TableReader& table, const Check& check) {
+    if (check.at.empty()) table.fail("at", "places; of a crack's front the nearest count (the key is missing)");
     if (!components_of(check.observable.quantity).empty() && check.observable.component.empty())
         table.fail("component", fmt::format("one of {} (the key is missing)", fmt::join(components_of(check.observable.quantity), ", ")));
 }
@@ -161,7 +162,7 @@ void require_consistency(const TableReader& table, const Check& check, const Cas
         if (band.order_at_least && !of.shape->uniform_refinement() && !is_front_quantity(check.observable.quantity))
             table.fail("band", "no order_at_least for a shape whose mesh is graded, but for quantities of a crack's front");
     require_reasons(table, check);
-    if (is_front_quantity(check.observable.quantity)) return require_front(table, check);
+    if (is_front_quantity(check.observable.quantity) || is_principal_quantity(check.observable.quantity)) return require_places(table, check);
     const bool scalar = is_scalar(check.observable.quantity);
     if (scalar && !check.at.empty()) table.fail("at", "no place for a quantity of the whole body");
     if (check.reference.kind == Reference::Kind::value && !scalar && (check.at.empty() || check.observable.component.empty()))
@@ -210,6 +211,8 @@ const std::vector<QuantityInfo>& quantities() {
         {"energy_release_rate_from_k", dimension::energy_per_area},  // the same from the stress intensities
         {"energy_release_gap", dimension::none},                     // |from_k / at - 1|
         {"crack_direction", dimension::none, true},                  // kink at a place of the front, from its stress intensities; hoop_size: of two equal maxima
+        {"principal_direction", dimension::none, true},              // largest principal stress at a point: angle from an axis, 0 to 90 deg
+        {"principal_gap", dimension::none},                          // its distance to the second over the tensor's norm
         {"crack_opening", dimension::length},                        // at the crack's centre
         {"acceleration_balance", dimension::none}};    // free body: |load - mass * acceleration| and its moment, relative
     return list;
@@ -220,8 +223,11 @@ bool is_front_quantity(const std::string& quantity) {
            quantity == "energy_release_gap" || quantity == "crack_direction";
 }
 
+bool is_principal_quantity(const std::string& quantity) { return quantity == "principal_direction" || quantity == "principal_gap"; }
+
 bool is_scalar(const std::string& quantity) {
-    return quantity != "displacement" && quantity != "strain" && quantity != "stress" && !is_front_quantity(quantity);
+    return quantity != "displacement" && quantity != "strain" && quantity != "stress" && !is_front_quantity(quantity) &&
+           !is_principal_quantity(quantity);
 }
 
 namespace {

@@ -22,6 +22,9 @@ Coordinates region_names(const geometry::Shape& shape, double size);
 /// True for quantities of a crack's front, which have places near it.
 bool is_front_quantity(const std::string& quantity);
 
+/// True for those of the largest principal stress at a point: angle between its direction and an axis (the component), and its gap.
+bool is_principal_quantity(const std::string& quantity);
+
 /// True for quantities of the whole body, which have neither component nor place.
 bool is_scalar(const std::string& quantity);
 

@@ -2,7 +2,9 @@
 
 #include "solver/input/file_io.hpp"
 #include "validation/adapters/level.hpp"
+#include "validation/analytic/principals.hpp"
 #include "validation/case_checks.hpp"
+#include "validation/front_profile.hpp"
 #include "validation/profile.hpp"
 #include "validation/solutions.hpp"
 #include "validation/study_runner.hpp"
@@ -163,8 +165,30 @@ Measurement measure_front(const Check& check, const std::string& solver, const P
     return measurement;
 }
 
+/// The direction's angle from an axis, deg, or the gap.
+double principal_value(const Check& check, const PrincipalAxis& principal) {
+    if (check.observable.quantity == "principal_gap") return principal.gap / check.divide_by;
+    const double cosine = std::abs(principal.direction[static_cast<std::size_t>(check.observable.component[0] - 'x')]);
+    return degrees(std::acos(std::min(1.0, cosine))) / check.divide_by;
+}
+
+Measurement measure_principal(const Check& check, const std::string& solver, const Point& point, LevelSources& sources) {
+    Measurement measurement;
+    measurement.value = principal_value(check, sources.get(solver).principal_stress(point));
+    if (check.reference.kind == Reference::Kind::value) measurement.reference = check.reference.value;
+    if (check.reference.kind == Reference::Kind::solver)
+        measurement.reference = principal_value(check, sources.get(check.reference.source).principal_stress(point));
+    if (check.reference.kind == Reference::Kind::solution) {
+        const analytic::Principals exact = analytic::principals(analytic::stress_tensor(reference_field(check, sources.of()).stress(point)));
+        measurement.reference = principal_value(check, {exact.direction[0], exact.gap()});
+    }
+    set_errors(measurement);
+    return measurement;
+}
+
 Measurement measure(const Check& check, const std::string& solver, std::size_t place, LevelSources& sources) {
     try {
+        if (is_principal_quantity(check.observable.quantity)) return measure_principal(check, solver, check.at[place], sources);
         if (is_front_quantity(check.observable.quantity)) return measure_front(check, solver, check.at[place], sources);
         if (is_scalar(check.observable.quantity)) return measure_scalar(check, solver, sources);
         if (check.at.empty()) return measure_field(check, solver, sources);
@@ -224,10 +248,10 @@ std::optional<Artifact> write_fields(const Case& of, const LevelSources& sources
     return std::nullopt;
 }
 
-void attach(std::vector<Row>& rows, const Artifact& fields) {
+void attach(std::vector<Row>& rows, const Artifact& of_elements) {
     for (Row& row : rows)
-        if (row.solver.starts_with("fem.") && !row.must_fail) return row.artifacts.push_back(fields);
-    if (!rows.empty()) rows.front().artifacts.push_back(fields);
+        if (row.solver.starts_with("fem.") && !row.must_fail) return row.artifacts.push_back(of_elements);
+    if (!rows.empty()) rows.front().artifacts.push_back(of_elements);
 }
 
 }  // namespace
@@ -256,6 +280,7 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
     const std::vector<double>& sizes = of.sizes(options.level);
     std::vector<std::pair<const Profile*, Artifact>> drawn;
     std::optional<Artifact> fields;
+    std::vector<Artifact> fronts;
     for (const double size : sizes) {
         LevelSources sources(of, size, options.out / "meshes");
         for (std::size_t c = 0; c < of.checks.size(); ++c)
@@ -263,7 +288,10 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
         if (size == sizes.back())
             for (std::size_t p = 0; p < of.profiles.size(); ++p)
                 drawn.emplace_back(&of.profiles[p], write_profile(of.profiles[p], fmt::format("{}/profile_{}.csv", artifact_folder(of.name), p + 1), options.out, sources));
-        if (size == sizes.back()) fields = write_fields(of, sources, options.out);
+        if (size == sizes.back()) {
+            fields = write_fields(of, sources, options.out);
+            fronts = write_fronts(of, sources, artifact_folder(of.name), options.out);
+        }
         run.solves.insert(run.solves.end(), sources.notes().begin(), sources.notes().end());
         if (options.progress) options.progress(fmt::format("{} size {:.4g} m", of.name, size));
     }
@@ -275,6 +303,7 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
         }
     for (const auto& [profile, artifact] : drawn) attach(run.result.rows, *profile, artifact);
     if (fields) attach(run.result.rows, *fields);
+    for (const Artifact& front : fronts) attach(run.result.rows, front);
     run.result.verdict = overall(run.result.rows);
     return run;
 }

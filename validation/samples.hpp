@@ -28,6 +28,12 @@ struct Resolution {
     long dofs = 0;
 };
 
+/// Direction of a largest principal stress and its gap to the second, over the tensor's norm.
+struct PrincipalAxis {
+    Point direction{};  ///< unit vector without sense
+    double gap = 0;
+};
+
 /// A solver's answer on one mesh.
 class FieldSource {
 public:
@@ -45,6 +51,11 @@ public:
     virtual double at_front(const std::string& quantity, const std::string& component, const Point& place) const {
         (void)component, (void)place;
         throw std::invalid_argument("a solver that has the quantity " + quantity);
+    }
+    /// The largest principal stress at a point. Throws std::invalid_argument where the method does not have it.
+    virtual PrincipalAxis principal_stress(const Point& point) const {
+        (void)point;
+        throw std::invalid_argument("a solver that has the principal stress at a point");
     }
     virtual Resolution resolution() const = 0;
     /// The fields as a VTU file's text; empty where the method writes none.

@@ -1,6 +1,7 @@
 #include "reference_fem/crack_direction.hpp"
 #include "reference_fem/crack_integrals.hpp"
 #include "reference_fem/elasticity.hpp"
+#include "reference_fem/kinked_crack.hpp"
 #include "reference_fem/test/materials.hpp"
 #include "reference_fem/test/msh_text.hpp"
 #include "reference_fem/vector3.hpp"
@@ -90,6 +91,39 @@ TEST(KinkAngle, PureShearIsErdoganAndSihs) {
     const double degree = std::numbers::pi / 180;
     EXPECT_NEAR(kink_angle(isotropic(1, 0.3), {1, 0, 0}, [](double) { return 1.0; }) / degree, -70.529, 1e-2);
     EXPECT_NEAR(kink_angle(isotropic(1, 0.3), {0, 1, 0}, [](double) { return 1.0; }) / degree, 0, 1e-4);
+}
+
+TEST(KinkAngle, RefusesAnisotropyForTheEnergy) { EXPECT_THROW(energy_kink_angle(triclinic(), {1, 1, 0}), Error); }
+
+// A kink straight on is no kink; a small one: K'_I = K_I - 3/2 angle K_II, K'_II = K_II + angle/2 K_I (Cotterell and Rice 1980, Int. J. Fract.
+// 16, 155), next terms of order angle^2 = 1e-4.
+TEST(KinkedCrack, SmallAnglesAreCotterellAndRices) {
+    const double angle = 0.01;
+    const KinkFactors straight = kink_factors(0), small = kink_factors(angle), other = kink_factors(-angle);
+    for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) {
+            EXPECT_NEAR(straight[i][j], i == j ? 1 : 0, 1e-5);
+            EXPECT_NEAR(small[i][j], i == j ? 1 : (i == 0 ? -1.5 : 0.5) * angle, 6e-4);
+            EXPECT_NEAR(other[i][j], (i == j ? 1 : -1) * small[i][j], 1e-6) << "mirrored";
+        }
+}
+
+// Published (Amestoy and Leblond 1992): pure shear 75.76 deg, and no shear in the kink at 77.33 deg. The hoop angle, 70.53 deg, is a twin.
+TEST(KinkedCrack, PureShearIsAmestoyAndLeblonds) {
+    const double degree = std::numbers::pi / 180;
+    EXPECT_NEAR(energy_kink_angle(isotropic(1, 0.3), {1, 0, 0}) / degree, -75.76, 0.01);
+    EXPECT_NEAR(energy_kink_angle(isotropic(1, 0.3), {-1, 0, 0}) / degree, 75.76, 0.01);
+    EXPECT_NEAR(kink_factors(-77.33 * degree)[1][1], 0, 2e-4);
+    EXPECT_GT(std::abs(kink_factors(-70.53 * degree)[1][1]), 0.05);
+}
+
+TEST(PrincipalStress, IsThatOfATurnedUniaxialState) {
+    const double c = std::cos(0.4), s = std::sin(0.4);  // tension 5 along (c, s, 0), 2 across, 1 along z
+    const PrincipalStress found = largest_principal_stress({5 * c * c + 2 * s * s, 5 * s * s + 2 * c * c, 1, 0, 0, 3 * c * s});
+    EXPECT_NEAR(found.value, 5, 1e-12);
+    EXPECT_NEAR(found.gap, 3 / std::sqrt(30.0), 1e-12);
+    EXPECT_NEAR(std::abs(found.direction[0] * c + found.direction[1] * s), 1, 1e-12);
+    EXPECT_EQ(largest_principal_stress({}).gap, 0);
 }
 
 /// A box of bricks with a crack in z = 0, its lips the surface 7: `in_crack(x, margin)` holds for the nodes inside it (margin < 0), or those and

@@ -1,3 +1,4 @@
+#include "reference_fem/crack_direction.hpp"
 #include "reference_fem/vtu.hpp"
 #include "solver/input/input_error.hpp"
 #include "validation/adapters/fem_crack.hpp"
@@ -47,6 +48,10 @@ public:
     }
     double at_front(const std::string& quantity, const std::string& component, const Point& place) const override {
         return crack_.at_front(quantity, component, place);
+    }
+    PrincipalAxis principal_stress(const Point& point) const override {
+        const fem::PrincipalStress principal = fem::largest_principal_stress(solution_.recovered_at({point}).front().stress);
+        return {principal.direction, principal.gap};
     }
     std::string vtu() const override { return fem::vtu_text(solution_); }
     Resolution resolution() const override { return {size_, solution_.record().cells, solution_.record().dofs}; }

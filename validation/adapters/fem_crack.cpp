@@ -1,8 +1,8 @@
 #include "validation/adapters/fem_crack.hpp"
 
 #include "reference_fem/crack_direction.hpp"
+#include "reference_fem/kinked_crack.hpp"
 #include "solver/mesh/msh_file.hpp"
-#include "validation/analytic/kink.hpp"
 
 #include <fmt/format.h>
 
@@ -85,8 +85,8 @@ const FemCrack::Station& FemCrack::station(const Point& place) const {
 }
 
 double FemCrack::direction(const Station& at, const std::string& criterion) const {
-    if (criterion == "energy") return analytic::energy_kink_angle(at.k[1], at.k[0]);
     const fem::Stiffness stiffness = fem::in_axes(solution_.material(0), at.station.place.axes);
+    if (criterion == "energy") return fem::energy_kink_angle(stiffness, at.k);
     if (criterion == "hoop") return fem::kink_angle(stiffness, at.k, [](double) { return 1.0; });
     return fem::kink_angle(stiffness, at.k, [&](double angle) { return relative_toughness(of_.toughness, at.station, angle); });
 }

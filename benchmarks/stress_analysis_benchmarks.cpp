@@ -68,10 +68,11 @@ void report(benchmark::State& state, const std::vector<double>& seconds) {
     state.counters["microseconds"] = 1e6 * median(seconds);
 }
 
-/// One contact: half-space field, Algorithm 1 with its displacements, gradients, stresses, principal directions and radii, 4 groups.
-void one_contact(benchmark::State& state, const material::Stiffness& stiffness, double accuracy) {
+/// One contact: half-space field, Algorithm 1 with its displacements, gradients, stresses, principal directions and radii, 4 groups. The
+/// half-space itself is made before: see the rows of new normals.
+void one_contact(benchmark::State& state, const material::Stiffness& stiffness, const contact::HalfSpaceOptions& options_of_space) {
     const HitBody body(stiffness);
-    const auto half_space = std::make_shared<contact::HalfSpace>(stiffness, body.load.inward, contact::HalfSpaceOptions{.accuracy = accuracy});
+    const auto half_space = std::make_shared<contact::HalfSpace>(stiffness, body.load.inward, options_of_space);
     fracture::CrackGenerator generator(body.body());
     fracture::Options options;
     options.groups = 4;
@@ -94,14 +95,14 @@ void one_contact(benchmark::State& state, const material::Stiffness& stiffness, 
     state.counters["cracks"] = static_cast<double>(analysis.cracks.size());
 }
 
-/// The first contact under a new direction of the surface: also the Stroh eigenvectors.
-void first_contact(benchmark::State& state, const material::Stiffness& stiffness, double accuracy) {
+/// The first contact under a new direction of the surface: also the Stroh eigenvectors, and the table where one is asked for.
+void first_contact(benchmark::State& state, const material::Stiffness& stiffness, const contact::HalfSpaceOptions& options) {
     const HitBody body(stiffness);
     std::vector<double> seconds;
     for (auto _ : state) {
         for (int pass = 0; pass < 21; ++pass)
             seconds.push_back(seconds_of([&] {
-                const auto half_space = std::make_shared<contact::HalfSpace>(stiffness, body.load.inward, contact::HalfSpaceOptions{.accuracy = accuracy});
+                const auto half_space = std::make_shared<contact::HalfSpace>(stiffness, body.load.inward, options);
                 const contact::HalfSpaceField field(half_space, body.load);
                 for (const Eigen::Vector3d& x : body.particles.position)
                     if ((x - body.load.point).norm() < 0.15) benchmark::DoNotOptimize(field.displacement(x));
@@ -110,18 +111,21 @@ void first_contact(benchmark::State& state, const material::Stiffness& stiffness
     }
 }
 
-void add(const std::string& name, void (*row)(benchmark::State&, const material::Stiffness&, double), const std::string& material, double accuracy) {
+void add(const std::string& name, void (*row)(benchmark::State&, const material::Stiffness&, const contact::HalfSpaceOptions&),
+         const std::string& material, bool tabulated) {
     benchmark::RegisterBenchmark(("stress_analysis/" + name).c_str(), [=](benchmark::State& state) {
-        row(state, material::find_material(material).stiffness, accuracy);
+        row(state, material::find_material(material).stiffness, {.accuracy = 1e-3, .tabulated = tabulated});
     })->UseManualTime()->Iterations(1)->Unit(benchmark::kMicrosecond);
 }
 
 }  // namespace
 
 void register_stress_analysis() {
-    add("isotropic", one_contact, "soda-lime glass", 1e-3);
-    add("anisotropic", one_contact, "silicon", 1e-3);
-    add("anisotropic_new_normal", first_contact, "silicon", 1e-3);
+    add("isotropic", one_contact, "soda-lime glass", false);
+    add("anisotropic", one_contact, "silicon", true);
+    add("anisotropic_sum", one_contact, "silicon", false);
+    add("anisotropic_new_normal", first_contact, "silicon", true);
+    add("anisotropic_sum_new_normal", first_contact, "silicon", false);
 }
 
 }  // namespace cleave::benchmarks

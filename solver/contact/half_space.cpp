@@ -1,5 +1,6 @@
 #include "solver/contact/half_space.hpp"
 
+#include "solver/contact/green_table.hpp"
 #include "solver/contact/isotropic_half_space.hpp"
 #include "solver/contact/stroh_field.hpp"
 #include "solver/contact/stroh_table.hpp"
@@ -45,6 +46,8 @@ HalfSpace::HalfSpace(const material::Stiffness& stiffness, const Eigen::Vector3d
         throw std::invalid_argument("an isotropic material for the closed form of a half-space");
     }
     stroh_table_ = std::make_shared<StrohTable>(material::rotate_stiffness(stiffness, axes.transpose()), options.most_directions);
+    if (options.tabulated && !(isotropic_ && options.form == HalfSpaceForm::automatic) && options.form != HalfSpaceForm::closed)
+        green_table_ = std::make_shared<GreenTable>(stroh_table_, axes, options.accuracy);
 }
 
 HalfSpaceField::HalfSpaceField(std::shared_ptr<const HalfSpace> half_space, const ContactLoad& load)
@@ -56,6 +59,7 @@ HalfSpaceField::HalfSpaceField(std::shared_ptr<const HalfSpace> half_space, cons
     if (form == HalfSpaceForm::closed && is_ellipse(load)) throw std::invalid_argument("a circular patch for the closed form of a half-space");
     closed_ = form != HalfSpaceForm::stroh && half_space_->isotropic() && !is_ellipse(load);
     if (closed_) return;
+    tabulated_ = half_space_->green_table() && !is_ellipse(load);
     StrohLoad local{local_force_, load.radius, load.other_radius > 0 ? load.other_radius : load.radius};
     if (is_ellipse(load)) local.axis = (axes_.transpose() * load.axis).head<2>().normalized();
     if (!(local.axis.norm() > 0)) throw std::invalid_argument("an elliptical patch with an axis in the surface");
@@ -70,6 +74,8 @@ IsotropicContact HalfSpaceField::isotropic_contact() const {
 
 Eigen::Vector3d HalfSpaceField::displacement(const Eigen::Vector3d& position) const {
     const Eigen::Vector3d local = to_local(position);
+    if (tabulated_ && half_space_->green_table()->covers(local, load_.radius))
+        return half_space_->green_table()->displacement(local, local_force_, load_.radius);
     return axes_ * (closed_ ? isotropic_displacement(isotropic_contact(), local) : stroh_->displacement(local));
 }
 

@@ -19,8 +19,12 @@ struct HalfSpaceOptions {
     HalfSpaceForm form = HalfSpaceForm::automatic;
     double accuracy = 1e-7;      ///< of Stroh's sum, relative: sets the number of directions, point by point
     int most_directions = 4096;  ///< of a full turn; points so shallow that they would need more are extrapolated from deeper ones
+    /// Displacements outside the patch from a table of the whole half-space (green_table.hpp), made with it in the time of some hundred
+    /// contacts: for many contacts under one direction of the surface. Of no effect where the closed form does.
+    bool tabulated = false;
 };
 
+class GreenTable;
 class StrohField;
 struct IsotropicContact;
 class StrohTable;
@@ -39,6 +43,7 @@ public:
     double shear_modulus() const { return shear_modulus_; }    ///< Pa, of an isotropic material
     double poisson_ratio() const { return poisson_ratio_; }
     std::shared_ptr<const StrohTable> stroh_table() const { return stroh_table_; }  ///< in surface_axes(inward)
+    const GreenTable* green_table() const { return green_table_.get(); }            ///< null where not asked for
 
 private:
     material::Stiffness stiffness_;
@@ -47,6 +52,7 @@ private:
     bool isotropic_ = false;
     double shear_modulus_ = 0, poisson_ratio_ = 0;
     std::shared_ptr<const StrohTable> stroh_table_;
+    std::shared_ptr<const GreenTable> green_table_;
 };
 
 /// True where a stiffness equals that of an isotropic material to `tolerance` of its largest entry.
@@ -79,7 +85,7 @@ private:
     ContactLoad load_;
     Eigen::Matrix3d axes_;            // columns: tangents, inward normal
     Eigen::Vector3d local_force_;
-    bool closed_ = false;
+    bool closed_ = false, tabulated_ = false;
     std::shared_ptr<const StrohField> stroh_;  // where not closed
 };
 

@@ -138,16 +138,16 @@ double StrohField::decay(double distance, double z) const {
     return std::min(most, std::abs(std::acos(Complex(nearest, bounds_.least_decay * z) / distance).imag()));
 }
 
-StrohField::Choice StrohField::choose(const Eigen::Vector3d& position) const {
+StrohField::Choice StrohField::choose(const Eigen::Vector3d& position, int poles) const {
     const double distance = std::hypot(position[0], position[1]), z = std::max(position[2], 0.0);
     const int finest = table_->levels() - 1;
-    const double wanted = digits_ / std::max(decay(distance, z), 1e-300);
+    const double strip = std::max(decay(distance, z), 1e-300), wanted = (digits_ - poles * std::min(0.0, std::log(strip))) / strip;
     int level = 0;
     while (level < finest && table_->directions(level) < wanted) ++level;
     const double most = table_->directions(finest), radius = std::max(load_.radius, load_.other_radius);
     // Enough directions meet a near patch for its kinks at the rim to be resolved (the error is the square of their spacing).
     if (table_->directions(level) >= wanted || most * radius > 1500 * distance) return {level, 0};
-    const double delta = digits_ / most, reach = radius / (distance * std::cosh(delta));
+    const double delta = (digits_ + poles * std::log(most / digits_)) / most, reach = radius / (distance * std::cosh(delta));
     return {level, distance * std::sinh(delta) * std::sqrt(1 - reach * reach) / bounds_.least_decay};
 }
 
@@ -175,6 +175,29 @@ Eigen::Vector3d StrohField::sum_displacement(const Eigen::Vector3d& position, co
     return Eigen::Vector3d(sum[0].sum(), sum[1].sum(), sum[2].sum()) / (-2 * M_PI * level.directions);
 }
 
+StrohField::Multipoles StrohField::sum_multipoles(const Eigen::Vector3d& position, const Prepared& level) const {
+    std::array<std::array<Lanes, 3>, 4> sum;
+    for (auto& of_power : sum) of_power.fill(Lanes::Zero());
+    for (const DirectionLanes& lanes : level.lanes) {
+        const Lanes along = lanes.cosine * position[0] + lanes.sine * position[1];
+        for (const RootLanes& root : lanes.roots) {
+            Lanes re, im;
+            point_kernel(along + root.root_re * position[2], root.root_im * position[2], re, im);
+            const Lanes square_re = re * re - im * im, square_im = 2 * re * im;
+            for (auto& of_power : sum) {
+                for (int i = 0; i < 3; ++i) of_power[i] += root.vector_re[i] * re - root.vector_im[i] * im;
+                const Lanes next = re * square_re - im * square_im;
+                im = re * square_im + im * square_re;
+                re = next;
+            }
+        }
+    }
+    Multipoles result;
+    for (int k = 0; k < 4; ++k)
+        for (int i = 0; i < 3; ++i) result(i, k) = sum[k][i].sum();
+    return result / (-2 * M_PI * level.directions);
+}
+
 Eigen::Matrix3d StrohField::sum_gradient(const Eigen::Vector3d& position, const Prepared& level) const {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for (const DirectionLanes& lanes : level.lanes)
@@ -199,6 +222,14 @@ Eigen::Vector3d StrohField::displacement(const Eigen::Vector3d& position) const 
     const Choice choice = choose(position);
     const Prepared& level = prepared(choice.level);
     return at_depth(position, choice.least_z, [&](const Eigen::Vector3d& x) { return sum_displacement(x, level); });
+}
+
+StrohField::Multipoles StrohField::multipoles(const Eigen::Vector3d& position) const {
+    const Choice choice = choose(position, 6);  // s^-7
+    const Prepared& level = prepared(choice.level);
+    Multipoles result = at_depth(position, choice.least_z, [&](const Eigen::Vector3d& x) { return sum_multipoles(x, level); });
+    result.col(0) = displacement(position);
+    return result;
 }
 
 Eigen::Matrix3d StrohField::gradient(const Eigen::Vector3d& position) const {

@@ -31,6 +31,11 @@ public:
     Eigen::Vector3d displacement(const Eigen::Vector3d& position) const;
     Eigen::Matrix3d gradient(const Eigen::Vector3d& position) const;
 
+    /// Of a point force: column k is -(1/4 pi^2) integral over a turn of A diag[1/s_alpha^(2k+1)] B^-1 f dphi, m^-2k times a displacement
+    /// (column 0 is the displacement itself): what Hertz's pressure adds at a distance (patch_kernel.hpp's series).
+    using Multipoles = Eigen::Matrix<double, 3, 4>;
+    Multipoles multipoles(const Eigen::Vector3d& position) const;
+
     /// Directions of a turn that the place takes, of the displacement or gradient there.
     int directions_at(const Eigen::Vector3d& position) const;
 
@@ -40,10 +45,12 @@ private:
         int level;
         double least_z;  ///< m, the depth from which on the level suffices; below it, extrapolate from there
     };
-    Choice choose(const Eigen::Vector3d& position) const;
+    /// `poles`: by how many orders the integrand's poles exceed those of displacements and gradients.
+    Choice choose(const Eigen::Vector3d& position, int poles = 0) const;
     double decay(double distance, double z) const;
     const Prepared& prepared(int level) const;
     Eigen::Vector3d sum_displacement(const Eigen::Vector3d& position, const Prepared& level) const;
+    Multipoles sum_multipoles(const Eigen::Vector3d& position, const Prepared& level) const;
     Eigen::Matrix3d sum_gradient(const Eigen::Vector3d& position, const Prepared& level) const;
 
     std::shared_ptr<const StrohTable> table_;

@@ -78,7 +78,12 @@ StrohTable::StrohTable(const material::Stiffness& stiffness, int most_directions
     } while (2 * directions(levels() - 1) <= most_directions);
 }
 
-StrohTable::Bounds StrohTable::bounds() const {
+const StrohTable::Bounds& StrohTable::bounds() const {
+    std::call_once(bounded_, [&] { bounds_ = find_bounds(); });
+    return bounds_;
+}
+
+StrohTable::Bounds StrohTable::find_bounds() const {
     Bounds bounds;
     for (const StrohDirection& one : level(0))
         for (const auto& root : one.root) {

@@ -43,14 +43,18 @@ public:
         double largest_shift = 0;  ///< the largest |Re p| of level 0
         double strip = 1;          ///< half width of the strip of complex directions in which p and W are analytic
     };
-    Bounds bounds() const;
+    const Bounds& bounds() const;  ///< found when first asked for
 
 private:
     struct Level {
         std::once_flag made;
         std::vector<StrohDirection> directions;
     };
+    Bounds find_bounds() const;
+
     material::Stiffness stiffness_;
+    mutable std::once_flag bounded_;
+    mutable Bounds bounds_;
     mutable std::vector<std::unique_ptr<Level>> levels_;
 };
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -115,21 +116,44 @@ std::vector<Eigen::Vector3d> far_seeds(const std::vector<Neighbour>& neighbours,
     return seeds;
 }
 
-int nearest_centre(const std::vector<Eigen::Vector3d>& centres, const Eigen::Vector3d& place) {
-    int best = 0;
-    for (std::size_t c = 1; c < centres.size(); ++c)
-        if ((centres[c] - place).squaredNorm() < (centres[best] - place).squaredNorm()) best = static_cast<int>(c);
-    return best;
+/// Places by component: eight or more distances at a time.
+struct Columns {
+    std::array<std::vector<double>, 3> component;
+    std::size_t size() const { return component[0].size(); }
+};
+
+Columns columns_of(const std::vector<Neighbour>& neighbours) {
+    Columns columns;
+    for (int i = 0; i < 3; ++i)
+        for (const Neighbour& neighbour : neighbours) columns.component[i].push_back(neighbour.r[i]);
+    return columns;
+}
+
+/// Number of the nearest centre of each place, of equally near ones the first, as a double (one width with the distances).
+void assign_nearest(const Columns& places, const std::vector<Eigen::Vector3d>& centres, std::vector<double>& square, std::vector<double>& nearest) {
+    std::fill(square.begin(), square.end(), std::numeric_limits<double>::infinity());
+    std::fill(nearest.begin(), nearest.end(), 0.0);
+    const double *x = places.component[0].data(), *y = places.component[1].data(), *z = places.component[2].data();
+    double *best = square.data(), *number = nearest.data();
+    for (std::size_t c = 0; c < centres.size(); ++c) {
+        const double cx = centres[c][0], cy = centres[c][1], cz = centres[c][2], own = static_cast<double>(c);
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const double dx = x[k] - cx, dy = y[k] - cy, dz = z[k] - cz, distance = dx * dx + dy * dy + dz * dz;
+            number[k] = distance < best[k] ? own : number[k];
+            best[k] = distance < best[k] ? distance : best[k];
+        }
+    }
 }
 
 /// Each centre to the mean of its members; one without any stays.
-void move_centres(const std::vector<Neighbour>& neighbours, const Order& order, const std::vector<int>& centre_of,
+void move_centres(const std::vector<Neighbour>& neighbours, const Order& order, const std::vector<double>& centre_of,
                   std::vector<Eigen::Vector3d>& centres) {
     std::vector<Eigen::Vector3d> sum(centres.size(), Eigen::Vector3d::Zero());
     std::vector<double> volume(centres.size(), 0);
     for (const int k : order) {
-        sum[centre_of[k]] += neighbours[k].volume * neighbours[k].r;
-        volume[centre_of[k]] += neighbours[k].volume;
+        const auto c = static_cast<std::size_t>(centre_of[k]);
+        sum[c] += neighbours[k].volume * neighbours[k].r;
+        volume[c] += neighbours[k].volume;
     }
     for (std::size_t c = 0; c < centres.size(); ++c)
         if (volume[c] > 0) centres[c] = sum[c] / volume[c];
@@ -138,19 +162,16 @@ void move_centres(const std::vector<Neighbour>& neighbours, const Order& order, 
 Sets k_means(const std::vector<Neighbour>& neighbours, const Order& order, int groups) {
     constexpr int rounds = 100;  // assignments of some hundred places settle in about ten
     std::vector<Eigen::Vector3d> centres = far_seeds(neighbours, order, groups);
-    std::vector<int> centre_of(neighbours.size(), -1);
-    bool changed = true;
-    for (int round = 0; round < rounds && changed; ++round) {
-        changed = false;
-        for (std::size_t k = 0; k < neighbours.size(); ++k) {
-            const int nearest = nearest_centre(centres, neighbours[k].r);
-            changed |= nearest != centre_of[k];
-            centre_of[k] = nearest;
-        }
-        if (changed) move_centres(neighbours, order, centre_of, centres);
+    const Columns places = columns_of(neighbours);
+    std::vector<double> square(places.size()), centre_of(places.size(), -1), last;
+    for (int round = 0; round < rounds; ++round) {
+        last = centre_of;
+        assign_nearest(places, centres, square, centre_of);
+        if (centre_of == last) break;
+        move_centres(neighbours, order, centre_of, centres);
     }
     Sets sets(groups);
-    for (std::size_t k = 0; k < neighbours.size(); ++k) sets[centre_of[k]].push_back(static_cast<int>(k));
+    for (std::size_t k = 0; k < neighbours.size(); ++k) sets[static_cast<std::size_t>(centre_of[k])].push_back(static_cast<int>(k));
     return sets;
 }
 

@@ -47,8 +47,9 @@ double volume(const Vector4& a, const Vector4& b, const Vector4& c, const Vector
     return __builtin_fabs(((product[0] + product[1]) + product[2]) / 6.0);
 }
 
-/// Turns four vectors over: out[i][j] = in[j][i], and writes them one after another.
-void store_turned(double* out, const Vector4& a, const Vector4& b, const Vector4& c, const Vector4& d, double* second, double* third, double* fourth) {
+/// Turns four vectors over, out[i][j] = in[j][i], and writes each to its place.
+void store_turned(double* out, const Vector4& a, const Vector4& b, const Vector4& c, const Vector4& d, double* second, double* third,
+                  double* fourth) {
     const Vector4 ab_02 = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_13 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
     const Vector4 cd_02 = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_13 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
     const auto put = [](double* to, const Vector4& x) { std::memcpy(to, &x, sizeof x); };

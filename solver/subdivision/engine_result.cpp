@@ -78,7 +78,9 @@ Subdivided SubdivisionEngine::result() const {
     out.mesh.surface_names = original_.surface_names;
     Buffer<ExtraLink> extra_links;
     find_extra_links(extra_links);
-    for (const auto& [first, second, area] : extra_links) out.extra_links.push_back({renumbering.half_face(first), renumbering.half_face(second), area});
+    for (const auto& [first, second, area] : extra_links) {
+        out.extra_links.push_back({renumbering.half_face(first), renumbering.half_face(second), area});
+    }
     out.counts = counts_;
     out.mesh.surface = cut_surface(original_, out);
     return out;

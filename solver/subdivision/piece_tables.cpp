@@ -63,47 +63,14 @@ void fill_pieces(PieceTable& table) {
     }
 }
 
-/// The corners of each cut face's quadrilateral.
-void fill_quads(const CutTemplate& cut, PieceTable& table) {
-    for (int face = 0; face < 4; ++face) {
-        int vertices = 0, cut_points = 2;
-        for (int e = 0; e < 6 && (cut.quad_faces >> face & 1U) != 0; ++e) {
-            const auto& [i, j] = edge_ends[e];
-            if (i == face || j == face) continue;
-            if ((cut.edges >> e & 1U) != 0) {
-                table.quads[face][cut_points++] = static_cast<std::uint8_t>(first_edge_code + e);
-            } else {
-                table.quads[face][vertices++] = static_cast<std::uint8_t>(i);
-                table.quads[face][vertices++] = static_cast<std::uint8_t>(j);
-            }
-        }
-    }
-}
-
-void fill_base_triangles(PieceTable& table) {
-    if (table.base_face < 0) return;
-    for (int k = 0; k < 3; ++k) {
-        const int piece = table.pieces[table.base_face].ascending[k];
-        for (int i = 0; i < 3; ++i) table.base_triangles[k][i] = table.codes[piece / 4][mesh::face_vertices[piece % 4][i]];
-    }
-}
-
 PieceTable build(unsigned plus_mask, bool odd) {
     PieceTable table;
     const CutTemplate& cut = cut_template(plus_mask);
     if (!cut.children.empty()) table.base_face = cut.base_face;
-    for (int e = 0; e < 6; ++e) {
-        if ((cut.edges >> e & 1U) != 0) table.cut_edges[table.cut_count++] = static_cast<std::uint8_t>(e);
-    }
-    for (int f = 0, count = 0; f < 4; ++f) {
-        if ((cut.quad_faces >> f & 1U) != 0) table.cut_faces[count++] = static_cast<std::uint8_t>(f);
-    }
-    fill_quads(cut, table);
-    for (const ChildTemplate& shape : cut_template(plus_mask).children) {
+    for (const ChildTemplate& shape : cut.children) {
         const int child = table.children++;
         table.codes[child] = shape.points;
         if (odd) std::swap(table.codes[child][2], table.codes[child][3]);
-        for (int i = 0; i < 4; ++i) table.offsets[child][i] = static_cast<std::uint8_t>(4 * table.codes[child][i]);
         table.side[child] = static_cast<std::int8_t>(shape.side);
         for (int face = 0; face < 4; ++face) {
             unsigned common = 15;
@@ -113,7 +80,6 @@ PieceTable build(unsigned plus_mask, bool odd) {
     }
     fill_inner_links(table);
     fill_pieces(table);
-    fill_base_triangles(table);
     return table;
 }
 

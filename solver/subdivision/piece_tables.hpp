@@ -21,20 +21,11 @@ struct PieceTable {
     static constexpr std::int32_t outer = -1;
     int children = 0;
     std::array<std::array<std::uint8_t, 4>, most_children> codes{};   ///< PointCode of each corner
-    /// 4 * code: where the point stands in an array with four places a point.
-    std::array<std::array<std::uint8_t, 4>, most_children> offsets{};
     std::array<std::array<std::int32_t, 4>, most_children> inner{};   ///< 4 * child + face behind each face, or `outer`
     std::array<std::int8_t, most_children> side{};                    ///< +1 or -1
     std::array<std::array<std::int8_t, 4>, most_children> face{};     ///< sorted parent's face that a face lies on, -1 inside
     std::array<FacePieces, 4> pieces{};                               ///< by the sorted parent's face
     int base_face = -1;                                               ///< 3-1: the uncut face
-    int cut_count = 0;                                                ///< cut edges, and cut faces too: 3 (3-1) or 4 (2-2)
-    std::array<std::uint8_t, 4> cut_edges{};                          ///< numbers 0..5 of the cut edges, ascending
-    std::array<std::uint8_t, 4> cut_faces{};                          ///< numbers 0..3 of the cut faces, ascending
-    /// Base piece k, ascending: the codes of its corners in the order of face_of.
-    std::array<std::array<std::uint8_t, 3>, 3> base_triangles{};
-    /// Codes of a cut face's quadrilateral: the two vertices on one side, the two cut points, each pair ascending.
-    std::array<std::array<std::uint8_t, 4>, 4> quads{};
 };
 
 /// By 2 * m + odd, m the sign pattern (bit i: sorted vertex i is '+'), odd: whether the sorted parent has the other orientation.

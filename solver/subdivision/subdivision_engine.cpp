@@ -74,13 +74,17 @@ void SubdivisionEngine::find_near_together(const Cut& cut, const CuttingPlane& p
     std::vector<std::size_t> boxes;
     boxes_.near_boxes(cut, [&](std::size_t box) { boxes.push_back(box); });
     const std::size_t chunks = (boxes.size() + boxes_a_chunk - 1) / boxes_a_chunk;
-    std::vector<Buffer<std::uint64_t>> finds(chunks);
+    if (chunk_found_.size() < chunks) chunk_found_ = std::vector<Buffer<std::uint64_t>>(chunks);
     workers_.for_chunks(chunks, [&](std::size_t chunk) {
+        chunk_found_[chunk].clear();
         for (std::size_t i = chunk * boxes_a_chunk; i < std::min(boxes.size(), (chunk + 1) * boxes_a_chunk); ++i) {
-            find_in_box(boxes[i], cut, plane, among, finds[chunk]);
+            find_in_box(boxes[i], cut, plane, among, chunk_found_[chunk]);
         }
     });
-    for (const Buffer<std::uint64_t>& found : finds) std::copy(found.begin(), found.end(), found_.grow_by(found.size()));
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+        const Buffer<std::uint64_t>& found = chunk_found_[chunk];
+        std::copy(found.begin(), found.end(), found_.grow_by(found.size()));
+    }
 }
 
 void SubdivisionEngine::write_all_parents(const CuttingPlane& plane) {

@@ -31,12 +31,12 @@ struct Among {
     bool has(int tet) const { return (labels == nullptr || labels[tet] == label) && (regions == nullptr || regions[tet] == region); }
 };
 
-/// The fast form of PlainSubdivision, equal to it to the bit. A cut goes in four steps: finding the parents (TetBoxes), planning (numbers of
-/// points and children, in one pass), writing the children (child_writer), links of faces that do not conform. Original tets keep their numbers 0 .. n-1; children are numbered
-/// from n on, cut by cut, parent by parent, and stand in arrays of their own, so that a cut costs what it cuts and not what the
-/// body has. A child's neighbour is read from tables: vertices of each tet are taken in sorted order, hence the two tets at a
-/// face number its pieces alike, and nothing is hashed or matched. Threads share out chunks of parents whose places in the output
-/// are known before: the same bytes for any number of threads.
+/// The fast form of PlainSubdivision, equal to it to the bit. A cut goes in three steps: finding the parents (TetBoxes), planning
+/// (numbers of points and children, links; in one pass), writing the children (child_writer). Original tets keep their numbers 0 ..
+/// n-1; children are numbered from n on, cut by cut, parent by parent, and stand in arrays of their own, so that a cut costs what it
+/// cuts and not what the body has. A child's neighbour is read from tables: vertices of each tet are taken in sorted order, hence the
+/// two tets at a face number its pieces alike, and nothing is hashed or matched. Threads share out chunks of parents whose places in
+/// the output are known before: the same bytes for any number of threads.
 class SubdivisionEngine {
 public:
     /// Set-up: sorts, numbers and links; costs more than many cuts. The mesh must have passed mesh::check.
@@ -119,7 +119,8 @@ private:
     std::size_t first_parent_ = 0;   ///< of the current cut
     int first_new_child_ = 0;        ///< of the current cut
     int first_point_ = 0;            ///< of the current cut
-    std::vector<Buffer<LooseFace>> chunk_loose_;  ///< per chunk of parents, where several threads write
+    std::vector<Buffer<LooseFace>> chunk_loose_;      ///< per chunk of parents, where several threads write
+    std::vector<Buffer<std::uint64_t>> chunk_found_;  ///< per chunk of boxes, where several threads search
     Workers workers_;
     int cuts_ = 0;                   ///< so far; the current cut's number
     Counts counts_;

@@ -70,12 +70,14 @@ void report(benchmark::State& state, const std::vector<double>& seconds) {
 
 /// One contact: half-space field, Algorithm 1 with its displacements, gradients, stresses, principal directions and radii, 4 groups. The
 /// half-space itself is made before: see the rows of new normals.
-void one_contact(benchmark::State& state, const material::Stiffness& stiffness, const contact::HalfSpaceOptions& options_of_space) {
+void one_contact(benchmark::State& state, const material::Stiffness& stiffness, const contact::HalfSpaceOptions& options_of_space,
+                 fracture::Grouping grouping) {
     const HitBody body(stiffness);
     const auto half_space = std::make_shared<contact::HalfSpace>(stiffness, body.load.inward, options_of_space);
     fracture::CrackGenerator generator(body.body());
     fracture::Options options;
     options.groups = 4;
+    options.grouping = grouping;
     const fracture::AnalysedPoint point{body.load.point, body.load.inward, {1, 0, 0}};
     std::size_t displacements = 0;
     const auto counted = [&](std::span<const int> ids, std::span<Eigen::Vector3d> values) {
@@ -93,6 +95,16 @@ void one_contact(benchmark::State& state, const material::Stiffness& stiffness, 
     state.counters["neighbours"] = analysis.points.front().considered;
     state.counters["displacements"] = static_cast<double>(displacements);
     state.counters["cracks"] = static_cast<double>(analysis.cracks.size());
+}
+
+/// The same with groups by azimuth, which need no iteration.
+void one_contact_by_azimuth(benchmark::State& state, const material::Stiffness& stiffness, const contact::HalfSpaceOptions& options) {
+    one_contact(state, stiffness, options, fracture::Grouping::azimuth);
+}
+
+/// The default's contact.
+void one_default_contact(benchmark::State& state, const material::Stiffness& stiffness, const contact::HalfSpaceOptions& options) {
+    one_contact(state, stiffness, options, fracture::Options{}.grouping);
 }
 
 /// The first contact under a new direction of the surface: also the Stroh eigenvectors, and the table where one is asked for.
@@ -121,9 +133,11 @@ void add(const std::string& name, void (*row)(benchmark::State&, const material:
 }  // namespace
 
 void register_stress_analysis() {
-    add("isotropic", one_contact, "soda-lime glass", false);
-    add("anisotropic", one_contact, "silicon", true);
-    add("anisotropic_sum", one_contact, "silicon", false);
+    add("isotropic", one_default_contact, "soda-lime glass", false);
+    add("isotropic_by_azimuth", one_contact_by_azimuth, "soda-lime glass", false);
+    add("anisotropic", one_default_contact, "silicon", true);
+    add("anisotropic_by_azimuth", one_contact_by_azimuth, "silicon", true);
+    add("anisotropic_sum", one_default_contact, "silicon", false);
     add("anisotropic_new_normal", first_contact, "silicon", true);
     add("anisotropic_sum_new_normal", first_contact, "silicon", false);
 }

@@ -32,7 +32,7 @@ enum class OuterRadius {
 /// Every choice of the crack analysis. Defaults are the well-posed readings; paper_options() has the printed ones.
 struct Options {
     Criterion criterion = Criterion::stress;
-    Grouping grouping = Grouping::azimuth;
+    Grouping grouping = Grouping::k_means;   ///< by position, as Sect. 4.2 says; line 10 sorts by |r|
     GroupGradient group_gradient = GroupGradient::neighbourhoods;
     OuterRadius outer_radius = OuterRadius::proportional;
     int groups = 2;                  ///< N of Algorithm 1, at least 1
@@ -48,7 +48,7 @@ Options paper_options();
 /// Reads the keys of a scene's or case's table, each optional, into options that hold the defaults:
 ///
 ///   criterion = "stress" | "strain"
-///   grouping = "azimuth" | "k_means" | "distance"
+///   grouping = "k_means" | "azimuth" | "distance"
 ///   group_gradient = "neighbourhoods" | "members"
 ///   outer_radius = "proportional" | "balance"
 ///   groups = 2

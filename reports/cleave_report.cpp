@@ -1,3 +1,4 @@
+#include "reports/history.hpp"
 #include "reports/page_writer.hpp"
 #include "reports/report_data.hpp"
 #include "reports/summary.hpp"
@@ -9,8 +10,9 @@
 
 namespace {
 
-void write_report(const std::vector<std::filesystem::path>& from, const std::filesystem::path& out) {
-    const cleave::reports::Report report = cleave::reports::load_report(from);
+void write_report(const std::vector<std::filesystem::path>& from, const std::vector<std::filesystem::path>& earlier, const std::filesystem::path& out) {
+    cleave::reports::Report report = cleave::reports::load_report(from);
+    report.history = cleave::reports::read_history(earlier, report);
     // Both texts stand before the first byte is written: bad input leaves the folder as it was.
     const std::string page = cleave::reports::render_page(report);
     const std::string summary = cleave::reports::render_summary(report);
@@ -21,9 +23,10 @@ void write_report(const std::vector<std::filesystem::path>& from, const std::fil
 
 int body(int argc, char** argv) {
     CLI::App app("Draws results as one self-contained page: OUT/index.html, and OUT/summary.md. Judges nothing.", "cleave-report");
-    std::vector<std::filesystem::path> from;
+    std::vector<std::filesystem::path> from, earlier;
     std::filesystem::path out;
     app.add_option("--from", from, "Folders with results.json (bench.json, timings.json, provenance.json, samples)")->required();
+    app.add_option("--history", earlier, "Folders of earlier runs, oldest first: what changed since");
     app.add_option("--out", out, "Folder for index.html and summary.md")->required();
     try {
         app.parse(argc, argv);
@@ -32,7 +35,7 @@ int body(int argc, char** argv) {
         fmt::print(stderr, "cleave-report: {} (see --help)\n", error.what());
         return static_cast<int>(cleave::ExitCode::input);
     }
-    write_report(from, out);
+    write_report(from, earlier, out);
     return static_cast<int>(cleave::ExitCode::ok);
 }
 

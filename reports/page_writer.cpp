@@ -26,7 +26,7 @@ json to_json(const Report& report) {
                            {"artifacts", source.artifacts},
                            {"scenes", source.scenes}});
     }
-    return {{"schema", "cleave.report/1"}, {"sources", sources}};
+    return {{"schema", "cleave.report/1"}, {"sources", sources}, {"history", report.history}};
 }
 
 const std::string& value_of(std::string_view name, const std::vector<std::pair<std::string_view, std::string>>& values) {

@@ -21,6 +21,7 @@ struct ReportSource {
 
 struct Report {
     std::vector<ReportSource> sources;  ///< in the order of the command line
+    nlohmann::json history;             ///< read_history; null without earlier runs
 };
 
 /// Reads results.json and its companions from each folder. Throws InputError where results.json is missing, broken or of another

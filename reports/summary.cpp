@@ -52,16 +52,66 @@ constexpr const char* table_head =
     "| verdict | case | quantity | place | solver | value | reference | error | band |\n"
     "|---|---|---|---|---|---|---|---|---|\n";
 
-std::string table(const Report& report, const char* only_verdict) {
+/// Rows of one verdict, or all; as many as fit into `room` bytes, and how many do not.
+std::string table(const Report& report, const char* only_verdict, std::size_t room) {
     std::string lines;
+    int left_out = 0;
     for (const ReportSource& source : report.sources) {
         for (const json& entry : source.results["cases"]) {
             for (const json& row : entry["checks"]) {
-                if (!only_verdict || row["verdict"] == only_verdict) lines += line_of(entry, row);
+                if (only_verdict && row["verdict"] != only_verdict) continue;
+                const std::string line = line_of(entry, row);
+                if (lines.size() + line.size() > room)
+                    ++left_out;
+                else
+                    lines += line;
             }
         }
     }
+    if (left_out > 0) lines += fmt::format("\n{} more stand in results.csv.\n", left_out);
     return lines.empty() ? lines : table_head + lines;
+}
+
+/// The worst numbers of all folders, with the commands that repeat them.
+std::string worst_numbers(const Report& report) {
+    struct Kind {
+        const char *key, *title;
+        double factor;
+        const char* unit;
+    };
+    std::string lines;
+    for (const Kind& kind : {Kind{"worst_particle_stress", "worst particle stress against the FEM", 100, " %"},
+                             Kind{"worst_energy_release_rate", "worst energy release rate", 100, " %"}, Kind{"worst_crack_angle", "worst crack angle", 1, "°"}}) {
+        const json* worst = nullptr;
+        for (const ReportSource& source : report.sources) {
+            const auto headline = source.results.find("headline");
+            if (headline == source.results.end() || !headline->is_object() || !headline->contains(kind.key) || (*headline)[kind.key].is_null()) continue;
+            const json& one = (*headline)[kind.key];
+            if (!worst || one["error"].get<double>() > (*worst)["error"].get<double>()) worst = &one;
+        }
+        if (worst)
+            lines += fmt::format("| {} | {:.2g}{} | `{}` |\n", kind.title, kind.factor * (*worst)["error"].get<double>(), kind.unit, cell(text_of(*worst, "command")));
+    }
+    return lines.empty() ? lines : "\n| | | command |\n|---|---|---|\n" + lines;
+}
+
+std::string error_of(const json& value) { return value.is_number() ? fmt::format("{:.3g}", value.get<double>()) : "–"; }
+
+std::string changes(const Report& report, std::size_t room) {
+    if (report.history.is_null()) return "";
+    const json& list = report.history["changes"];
+    if (list.empty()) return "\n## Since the last run\n\nNothing changed.\n";
+    std::string lines = "\n## Since the last run\n\n| | case | check | error before | now | verdict before | now |\n|---|---|---|---|---|---|---|\n";
+    int left_out = 0;
+    for (const json& one : list) {
+        const std::string line = fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", text_of(one, "kind"), cell(text_of(one, "case")), cell(text_of(one, "what")),
+                                             error_of(one["before"]), error_of(one["now"]), text_of(one, "verdict_before"), text_of(one, "verdict_now"));
+        if (lines.size() + line.size() > room)
+            ++left_out;
+        else
+            lines += line;
+    }
+    return left_out > 0 ? lines + fmt::format("\n{} more changes stand in index.html.\n", left_out) : lines;
 }
 
 std::array<int, 3> count_verdicts(const Report& report) {
@@ -77,10 +127,14 @@ std::array<int, 3> count_verdicts(const Report& report) {
 }  // namespace
 
 std::string render_summary(const Report& report) {
+    // A comment on a pull request may have 65,536 characters.
+    constexpr std::size_t missed_room = 15000, changes_room = 15000, all_room = 30000;
     const auto [pass, fail, info] = count_verdicts(report);
     std::string text = fmt::format("# Cleave cross-check\n\n{} of {} judged checks passed; {} for information.\n", pass, pass + fail, info);
-    if (fail > 0) text += "\n## Missed\n\n" + table(report, "fail");
-    if (pass + fail + info > 0) text += "\n## All checks\n\n" + table(report, nullptr);
+    text += worst_numbers(report);
+    if (fail > 0) text += "\n## Missed\n\n" + table(report, "fail", missed_room);
+    text += changes(report, changes_room);
+    if (pass + fail + info > 0) text += "\n## All checks\n\n<details><summary>Table</summary>\n\n" + table(report, nullptr, all_room) + "\n</details>\n";
     return text;
 }
 

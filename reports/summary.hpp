@@ -6,7 +6,8 @@
 
 namespace cleave::reports {
 
-/// summary.md: the counts, the missed checks, then every check as a Markdown table. For logs and pull requests.
+/// summary.md: the counts, the worst numbers, the missed checks, what changed since an earlier run, then every check as a Markdown table.
+/// Short enough for a comment on a pull request: what does not fit is counted.
 std::string render_summary(const Report& report);
 
 }  // namespace cleave::reports

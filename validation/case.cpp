@@ -4,6 +4,7 @@
 #include "solver/input/input_error.hpp"
 #include "validation/case_checks.hpp"
 #include "validation/solutions.hpp"
+#include "validation/symmetry_class.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <stdexcept>
 
 namespace cleave::validation {
@@ -222,6 +224,7 @@ void read_study_case(TableReader& reader, Case& result) {
     TableReader table = reader.table("study");
     const StudyInfo& info = study_info(table);
     result.study = info.read(table);
+    result.study_info = &info;
     result.ladder = {{"quick", {0}}};  // one step: a study has its own sizes
     for (TableReader& check : reader.tables("check")) result.checks.push_back(read_study_check(check, info));
     reader.finish();
@@ -309,6 +312,18 @@ bool Check::takes(double size, const std::vector<double>& ladder) const {
 const std::vector<double>& Case::sizes(const std::string& level) const {
     const auto found = ladder.find(level);
     return found == ladder.end() ? ladder.at("quick") : found->second;
+}
+
+std::vector<std::string> Case::symmetry() const {
+    std::set<std::string> classes;
+    for (const auto& [region, material] : materials) classes.insert(symmetry_class(material.stiffness));
+    if (study)
+        for (const material::Stiffness& stiffness : study->materials()) classes.insert(symmetry_class(stiffness));
+    return {classes.begin(), classes.end()};
+}
+
+Side Case::side(const std::string& solver) const {
+    return study_info ? study_info->side(solver) : solver.starts_with("fem") ? Side::fem : Side::particles;
 }
 
 void Case::fail(const std::string& key, const std::string& expected) const { throw InputError(file, key, expected); }

@@ -121,6 +121,7 @@ struct Case {
     std::string about;
     std::map<std::string, std::string> parameters;  ///< swept keys
     std::shared_ptr<const Study> study;             ///< set for a case without a body of its own: [study] instead of [geometry] ... [ladder]
+    const StudyInfo* study_info = nullptr;          ///< of that study
     std::shared_ptr<const geometry::Shape> shape;
     std::map<std::string, material::Material> materials;  ///< by region name; "" for the whole body
     std::vector<SurfaceLoad> loads;
@@ -140,6 +141,10 @@ struct Case {
     std::size_t position = 0;                       ///< among all cases of the run, before it was split into shards
 
     const std::vector<double>& sizes(const std::string& level) const;
+    /// Elastic symmetry classes of its materials, or its study's, sorted, each once.
+    std::vector<std::string> symmetry() const;
+    /// The side that a check's solver stands for.
+    Side side(const std::string& solver) const;
     [[noreturn]] void fail(const std::string& key, const std::string& expected) const;
 };
 

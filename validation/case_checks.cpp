@@ -95,7 +95,7 @@ Band read_limits(TableReader& table, Unit unit) {
     if (table.has("relative")) band.relative = positive("relative", table.number("relative"));
     if (table.has("absolute")) band.absolute = positive("absolute", unit.read(table, "absolute"));
     if (table.has("order_at_least")) band.order_at_least = positive("order_at_least", table.number("order_at_least"));
-    if (table.has("side")) band.side = table.choice("side", {"below", "above"}) == "below" ? Side::below : Side::above;
+    if (table.has("side")) band.side = table.choice("side", {"below", "above"}) == "below" ? BandSide::below : BandSide::above;
     if (band.empty()) table.fail("", "at least one of relative, absolute, order_at_least, side");
     return band;
 }
@@ -169,7 +169,7 @@ void require_consistency(const TableReader& table, const Check& check, const Cas
         table.fail("reference", "'at' and 'component' beside a reference value");
     for (const auto& [solver, band] : check.bands) {
         if (band.absolute && check.observable.component.empty() && !scalar) table.fail("band", "'component' beside an absolute band");
-        if (band.side != Side::either && !scalar) table.fail("band", "no side for a field");
+        if (band.side != BandSide::either && !scalar) table.fail("band", "no side for a field");
     }
 }
 
@@ -179,6 +179,14 @@ Coordinates region_names(const geometry::Shape& shape, double size) {
     Coordinates names = shape.coordinates();
     names["size"] = [size](const Point&) { return size; };
     return names;
+}
+
+std::optional<Side> reference_side(const Check& check, const Case& of) {
+    switch (check.reference.kind) {
+        case Reference::Kind::none: return std::nullopt;
+        case Reference::Kind::solver: return of.side(check.reference.source);
+        default: return Side::mathematics;
+    }
 }
 
 const std::vector<std::string>& solver_names() {

@@ -13,6 +13,9 @@ Check read_study_check(TableReader& table, const StudyInfo& study);
 /// Reads one [[profile]] of a case. Throws InputError.
 Profile read_profile(TableReader& table, const std::map<std::string, SolutionCall>& defaults, const Case& of);
 
+/// The side that a check's reference stands for; none where it has none.
+std::optional<Side> reference_side(const Check& check, const Case& of);
+
 /// The solvers that checks may name.
 const std::vector<std::string>& solver_names();
 

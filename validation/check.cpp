@@ -13,11 +13,11 @@ const char* name(Verdict verdict) {
     return "fail";
 }
 
-const char* name(Side side) {
+const char* name(BandSide side) {
     switch (side) {
-        case Side::either: return "either";
-        case Side::below: return "below";
-        case Side::above: return "above";
+        case BandSide::either: return "either";
+        case BandSide::below: return "below";
+        case BandSide::above: return "above";
     }
     return "either";
 }
@@ -26,15 +26,15 @@ namespace {
 bool finite(const Measurement& m, const Band& band) {
     if (band.relative && !std::isfinite(m.relative_error)) return false;
     if (band.absolute && !std::isfinite(m.absolute_error)) return false;
-    if (band.side != Side::either && !(m.value && m.reference && std::isfinite(*m.value) && std::isfinite(*m.reference))) return false;
+    if (band.side != BandSide::either && !(m.value && m.reference && std::isfinite(*m.value) && std::isfinite(*m.reference))) return false;
     return !band.order_at_least || (m.order && std::isfinite(*m.order));
 }
 
 bool holds(const Measurement& m, const Band& band) {
     if (band.relative && !(m.relative_error <= *band.relative)) return false;
     if (band.absolute && !(m.absolute_error <= *band.absolute)) return false;
-    if (band.side == Side::below && !(*m.value <= *m.reference)) return false;
-    if (band.side == Side::above && !(*m.value >= *m.reference)) return false;
+    if (band.side == BandSide::below && !(*m.value <= *m.reference)) return false;
+    if (band.side == BandSide::above && !(*m.value >= *m.reference)) return false;
     return !band.order_at_least || (m.order && *m.order >= *band.order_at_least);
 }
 }  // namespace

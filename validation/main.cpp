@@ -34,8 +34,10 @@ Overrides overrides_of(const Arguments& arguments) {
 }
 
 std::string command_of(const Case& one, const Arguments& arguments) {
-    std::string command = "cleave validate " + std::filesystem::path(one.file).stem().string();
-    if (one.file.find(CLEAVE_CASE_FOLDER) != 0) command = "cleave validate " + std::filesystem::path(one.file).filename().string();
+    const std::filesystem::path file = one.file;
+    const std::vector<std::filesystem::path> shipped = shipped_case_files();
+    const bool ours = !shipped.empty() && file.parent_path() == shipped.front().parent_path();
+    std::string command = "cleave validate " + (ours ? file.stem() : file.filename()).string();
     for (const std::string& text : arguments.sets) command += fmt::format(" --set '{}'", text);
     if (!arguments.ladder.empty()) command += " --ladder " + arguments.ladder;
     return command + " --level " + arguments.level;

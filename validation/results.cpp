@@ -48,7 +48,7 @@ std::string band_text(const Band& band) {
     add("relative", band.relative);
     add("absolute", band.absolute);
     add("order at least", band.order_at_least);
-    if (band.side != Side::either) text += fmt::format("{}{} the reference", text.empty() ? "" : ", ", name(band.side));
+    if (band.side != BandSide::either) text += fmt::format("{}{} the reference", text.empty() ? "" : ", ", name(band.side));
     return text;
 }
 
@@ -83,6 +83,8 @@ std::string results_json(const std::vector<CaseResult>& cases, const std::string
     const Counts counts = count(cases);
     Json json{{"schema", "cleave.results/1"}, {"level", level},
               {"counts", {{"pass", counts.pass}, {"fail", counts.fail}, {"info", counts.info}}}};
+    json["headline"] = headline_json(cases);
+    json["coverage"] = coverage_json(cases);
     json["cases"] = Json::array();
     for (const CaseResult& result : cases) json["cases"].push_back(case_json(result));
     return json.dump(1) + "\n";

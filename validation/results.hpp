@@ -1,8 +1,8 @@
 #pragma once
 
 #include "validation/check.hpp"
+#include "validation/convergence.hpp"
 #include "validation/samples.hpp"
-
 
 #include <map>
 #include <string>
@@ -19,11 +19,30 @@ struct Artifact {
 struct LadderStep {
     Resolution resolution;
     double error = 0;
+    std::optional<double> value = std::nullopt;  ///< of the method
+    double h = 0;                                ///< representative size, m: see representative_sizes
+};
+
+/// Which of the three a number comes from: the method (solver/), the finite element reference, mathematics (closed forms, integrals,
+/// literature).
+enum class Side { particles, fem, mathematics };
+const char* name(Side side);
+
+/// The same quantity against another side of the case that no check names: measured, not judged.
+struct Also {
+    Side side = Side::fem;
+    std::string source;
+    std::optional<double> value;
+    double error = 0;
+    bool relative = true;
 };
 
 /// One judged comparison: a check of a case for one solver at one place.
 struct Row {
     std::string case_name, tier, quantity, component, unit, place, solver;
+    std::string norm;                         ///< rms, max, p95: the error is the norm of a field's difference; "" for single numbers
+    Side side = Side::particles;              ///< of the solver
+    std::optional<Side> reference_side;       ///< none where nothing is compared
     Resolution resolution;  ///< of the finest step
     Measurement measurement;
     std::string reference_source;
@@ -32,6 +51,8 @@ struct Row {
     std::string basis;
     bool must_fail = false;
     std::vector<LadderStep> ladder;  ///< coarse to fine
+    std::optional<Convergence> convergence;
+    std::vector<Also> also;
     std::vector<Artifact> artifacts;
     Verdict verdict = Verdict::info;
 };
@@ -40,7 +61,8 @@ struct CaseResult {
     std::string name, tier, about, command;
     std::map<std::string, std::string> parameters;
     std::vector<Row> rows;
-    Verdict verdict = Verdict::info;  ///< fail if a row fails, pass if one passes and none fails
+    Verdict verdict = Verdict::info;      ///< fail if a row fails, pass if one passes and none fails
+    std::vector<std::string> symmetry{};  ///< classes of the materials it used (symmetry_class), sorted, each once
 };
 
 struct Counts {

@@ -1,5 +1,9 @@
 #include "validation/results_json.hpp"
 
+#include "validation/comparison.hpp"
+#include "validation/coverage.hpp"
+#include "validation/headline.hpp"
+
 #include <cmath>
 #include <limits>
 
@@ -17,7 +21,7 @@ Json band_json(const Band& band) {
     if (band.relative) json["relative"] = *band.relative;
     if (band.absolute) json["absolute"] = *band.absolute;
     if (band.order_at_least) json["order_at_least"] = *band.order_at_least;
-    if (band.side != Side::either) json["side"] = name(band.side);
+    if (band.side != BandSide::either) json["side"] = name(band.side);
     return json;
 }
 
@@ -30,19 +34,47 @@ Json resolution_json(const Resolution& resolution) {
 
 double error_of(const Row& row) { return row.relative ? row.measurement.relative_error : row.measurement.absolute_error; }
 
+Json convergence_json(const std::optional<Convergence>& one) {
+    if (!one) return nullptr;
+    return {{"order", number(one->order)}, {"order_of_values", number(one->order_of_values)}, {"extrapolated", number(one->extrapolated)},
+            {"uncertainty", number(one->uncertainty)}, {"asymptotic", one->asymptotic}, {"why", one->why}};
+}
+
+Json statement_json(const std::optional<Statement>& one) { return one ? Json{{"by", one->by}, {"value", number(one->value)}} : Json(); }
+
+Json difference_json(const std::optional<Difference>& one) {
+    if (!one) return nullptr;
+    return {{"error", number(one->error)}, {"error_kind", one->relative ? "relative" : "absolute"}, {"check", one->row ? Json(*one->row) : Json()}};
+}
+
+Json comparison_json(const Comparison& line) {
+    return {{"quantity", line.quantity}, {"component", line.component}, {"unit", line.unit}, {"place", line.place},
+            {"particles", statement_json(line.particles)}, {"fem", statement_json(line.fem)}, {"mathematics", statement_json(line.mathematics)},
+            {"particles_fem", difference_json(line.particles_fem)}, {"particles_mathematics", difference_json(line.particles_mathematics)},
+            {"fem_mathematics", difference_json(line.fem_mathematics)}, {"checks", line.rows}};
+}
+
 Json row_json(const Row& row) {
     Json json{{"case", row.case_name}, {"tier", row.tier}, {"quantity", row.quantity}, {"component", row.component}, {"unit", row.unit},
               {"place", row.place}, {"solver", row.solver}, {"resolution", resolution_json(row.resolution)},
               {"value", number(row.measurement.value)}, {"reference", number(row.measurement.reference)},
               {"reference_source", row.reference_source}, {"error", number(error_of(row))},
               {"error_kind", row.relative ? "relative" : "absolute"}, {"band", band_json(row.band)}, {"basis", row.basis},
-              {"order", number(row.measurement.order)}, {"must_fail", row.must_fail}, {"verdict", name(row.verdict)}};
+              {"order", number(row.measurement.order)}, {"must_fail", row.must_fail}, {"verdict", name(row.verdict)},
+              {"norm", row.norm}, {"side", name(row.side)},
+              {"reference_side", row.reference_side ? Json(name(*row.reference_side)) : Json()}, {"convergence", convergence_json(row.convergence)}};
     json["ladder"] = Json::array();
     for (const LadderStep& step : row.ladder) {
         Json entry = resolution_json(step.resolution);
         entry["error"] = number(step.error);
+        entry["value"] = number(step.value);
+        entry["h"] = number(step.h);
         json["ladder"].push_back(entry);
     }
+    json["also"] = Json::array();
+    for (const Also& also : row.also)
+        json["also"].push_back({{"side", name(also.side)}, {"source", also.source}, {"value", number(also.value)}, {"error", number(also.error)},
+                                {"error_kind", also.relative ? "relative" : "absolute"}});
     json["artifacts"] = Json::array();
     for (const Artifact& a : row.artifacts) json["artifacts"].push_back({{"file", a.file}, {"title", a.title}, {"x", a.x}, {"y", a.y}});
     return json;
@@ -58,13 +90,25 @@ Band band_of(const Json& json) {
     if (json.contains("relative")) band.relative = json["relative"].get<double>();
     if (json.contains("absolute")) band.absolute = json["absolute"].get<double>();
     if (json.contains("order_at_least")) band.order_at_least = json["order_at_least"].get<double>();
-    if (json.contains("side")) band.side = json["side"] == "below" ? Side::below : Side::above;
+    if (json.contains("side")) band.side = json["side"] == "below" ? BandSide::below : BandSide::above;
     return band;
 }
 
 Resolution resolution_of(const Json& json) { return {number_of(json.at("size")), json.value("particles", 0L), json.value("dofs", 0L)}; }
 
 Verdict verdict_of(const std::string& text) { return text == "pass" ? Verdict::pass : text == "fail" ? Verdict::fail : Verdict::info; }
+
+Side side_of(const Json& json) { return json == "fem" ? Side::fem : json == "mathematics" ? Side::mathematics : Side::particles; }
+
+std::optional<Convergence> convergence_of(const Json& json) {
+    if (json.is_null()) return std::nullopt;
+    return Convergence{optional_of(json.at("order")), optional_of(json.at("order_of_values")), optional_of(json.at("extrapolated")),
+                       optional_of(json.at("uncertainty")), json.at("asymptotic"), json.at("why")};
+}
+
+LadderStep step_of(const Json& json) {
+    return {resolution_of(json), number_of(json.at("error")), optional_of(json.at("value")), number_of(json.at("h"))};
+}
 
 Row row_of(const Json& json) {
     Row row;
@@ -83,24 +127,54 @@ Row row_of(const Json& json) {
     row.band = band_of(json.at("band"));
     row.basis = json.at("basis");
     row.must_fail = json.at("must_fail");
-    for (const Json& step : json.at("ladder")) row.ladder.push_back({resolution_of(step), number_of(step.at("error"))});
+    for (const Json& step : json.at("ladder")) row.ladder.push_back(step_of(step));
     for (const Json& a : json.at("artifacts")) row.artifacts.push_back({a.at("file"), a.at("title"), a.at("x"), a.at("y")});
     row.verdict = verdict_of(json.at("verdict"));
+    row.norm = json.at("norm");
+    row.side = side_of(json.at("side"));
+    if (!json.at("reference_side").is_null()) row.reference_side = side_of(json.at("reference_side"));
+    row.convergence = convergence_of(json.at("convergence"));
+    for (const Json& one : json.at("also"))
+        row.also.push_back({side_of(one.at("side")), one.at("source"), optional_of(one.at("value")), number_of(one.at("error")), one.at("error_kind") == "relative"});
     return row;
 }
 
 }  // namespace
 
+Json headline_json(const std::vector<CaseResult>& cases) {
+    const auto one = [](const std::optional<WorstError>& worst) {
+        return worst ? Json{{"error", worst->error}, {"case", worst->case_name}, {"check", worst->row}, {"command", worst->command}} : Json();
+    };
+    const Headline found = headline(cases);
+    return {{"worst_particle_stress", one(found.particle_stress)}, {"worst_energy_release_rate", one(found.energy_release_rate)},
+            {"worst_crack_angle", one(found.crack_angle)}};
+}
+
+Json coverage_json(const std::vector<CaseResult>& cases) {
+    Json json = Json::array();
+    for (const CoverageCell& cell : coverage(cases)) {
+        Json one{{"symmetry", cell.symmetry}, {"family", cell.family}, {"method", name(cell.method)}, {"checks", cell.checks}};
+        if (cell.checks > 0)
+            one["cases"] = cell.cases;
+        else
+            one["why"] = cell.why;
+        json.push_back(std::move(one));
+    }
+    return json;
+}
+
 Json case_json(const CaseResult& result) {
     Json json{{"name", result.name}, {"tier", result.tier}, {"about", result.about}, {"command", result.command},
-              {"parameters", result.parameters}, {"verdict", name(result.verdict)}};
+              {"parameters", result.parameters}, {"verdict", name(result.verdict)}, {"symmetry", result.symmetry}};
     json["checks"] = Json::array();
     for (const Row& row : result.rows) json["checks"].push_back(row_json(row));
+    json["comparison"] = Json::array();
+    for (const Comparison& line : compare_sides(result.rows)) json["comparison"].push_back(comparison_json(line));
     return json;
 }
 
 CaseResult case_of(const Json& json) {
-    CaseResult result{json.at("name"), json.at("tier"), json.at("about"), json.at("command"), json.at("parameters"), {}, Verdict::info};
+    CaseResult result{json.at("name"), json.at("tier"), json.at("about"), json.at("command"), json.at("parameters"), {}, Verdict::info, json.at("symmetry")};
     for (const Json& row : json.at("checks")) result.rows.push_back(row_of(row));
     result.verdict = verdict_of(json.at("verdict"));
     return result;

@@ -1,10 +1,12 @@
 #include "validation/runner.hpp"
 
 #include "solver/input/file_io.hpp"
+#include "solver/input/input_error.hpp"
 #include "validation/adapters/level.hpp"
 #include "validation/analytic/principals.hpp"
 #include "validation/case_checks.hpp"
 #include "validation/front_profile.hpp"
+#include "validation/ladder.hpp"
 #include "validation/profile.hpp"
 #include "validation/solutions.hpp"
 #include "validation/study_runner.hpp"
@@ -29,6 +31,11 @@ std::string reference_source(const Check& check, const Case& of) {
     }
 }
 
+/// Compared as a field, by a norm.
+bool is_field(const Check& check) {
+    return check.at.empty() && !is_scalar(check.observable.quantity) && !is_front_quantity(check.observable.quantity);
+}
+
 /// The rows of a check: one per solver and place.
 std::vector<Row> empty_rows(const Check& check, const Case& of) {
     std::vector<Row> rows;
@@ -42,11 +49,14 @@ std::vector<Row> empty_rows(const Check& check, const Case& of) {
             row.component = check.observable.component;
             row.unit = check.angle ? "deg" : unit_name(check.unit);
             row.solver = solver;
+            row.side = of.side(solver);
+            row.reference_side = reference_side(check, of);
             row.reference_source = reference_source(check, of);
             row.band = check.band(solver);
             row.relative = !row.band.absolute && !(check.reference.kind == Reference::Kind::value && check.reference.value == 0);
             if (!row.band.empty()) row.basis = check.basis;
             row.must_fail = check.must_fail;
+            if (is_field(check)) row.norm = check.norm;
             if (is_scalar(check.observable.quantity))
                 row.place = "whole body";
             else if (is_front_quantity(check.observable.quantity))
@@ -205,29 +215,60 @@ void add_step(const Check& check, std::vector<Row>& rows, LevelSources& sources)
         Row& row = rows[i];
         row.measurement = measure(check, row.solver, i % places, sources);
         row.resolution = sources.get(row.solver).resolution();
-        row.ladder.push_back({row.resolution, row.relative ? row.measurement.relative_error : row.measurement.absolute_error});
+        row.ladder.push_back({row.resolution, row.relative ? row.measurement.relative_error : row.measurement.absolute_error, row.measurement.value});
     }
 }
 
-/// Over what an order is taken.
-enum class OrderOver { none, count, size };
+/// The solution that the case's fields have in mathematics: the first one that a check in earnest names.
+const Reference* field_solution(const Case& of) {
+    for (const Check& check : of.checks)
+        if (!check.must_fail && check.reference.kind == Reference::Kind::solution && make_field(*check.reference.solution, of).stress) return &check.reference;
+    return nullptr;
+}
 
-/// N^(-1/3), N the number of tets: a mesh generator meets the size asked for only roughly. Meshes whose parts refine differently have no
-/// such order; there a quantity of the crack's front, which the elements at the front decide, has one over their size, where it is asked for.
+void measure_other_side(const Check& check, const Reference& other, std::size_t place, LevelSources& sources, Row& row) {
+    Check beside = check;
+    beside.reference = other;
+    try {
+        const Measurement measured = measure(beside, row.solver, place, sources);
+        const bool relative = !check.angle && std::isfinite(measured.relative_error);
+        if (!relative && !std::isfinite(measured.absolute_error)) return;
+        const bool fem = other.kind == Reference::Kind::solver;
+        row.also.push_back({fem ? Side::fem : Side::mathematics, fem ? other.source : make_field(*other.solution, sources.of()).source,
+                            measured.reference, relative ? measured.relative_error : measured.absolute_error, relative});
+    } catch (const InputError&) {
+        // the other side has no such value there: the line of the comparison stays without it
+    }
+}
+
+/// Fields on the finest mesh against the sides that their check does not name, where the case has them at hand.
+void measure_other_sides(const Case& of, std::vector<std::vector<Row>>& rows, LevelSources& sources) {
+    const Reference* mathematics = field_solution(of);
+    std::optional<Reference> fem;
+    for (const char* solver : {"fem.p1", "fem.p2"})
+        if (sources.find(solver)) fem = Reference{Reference::Kind::solver, 0, solver, {}};
+    for (std::size_t c = 0; c < of.checks.size(); ++c) {
+        const Check& check = of.checks[c];
+        if (check.must_fail || is_scalar(check.observable.quantity) || is_front_quantity(check.observable.quantity)) continue;
+        for (std::size_t i = 0; i < rows[c].size(); ++i) {
+            Row& row = rows[c][i];
+            if (row.ladder.empty() || row.resolution.size != sources.get(row.solver).resolution().size) continue;  // ended earlier
+            const std::size_t place = i % std::max<std::size_t>(1, check.at.size());
+            if (fem && row.side == Side::particles && row.reference_side != Side::fem) measure_other_side(check, *fem, place, sources, row);
+            if (mathematics && row.reference_side != Side::mathematics) measure_other_side(check, *mathematics, place, sources, row);
+        }
+    }
+}
+
+/// Meshes whose parts refine differently have no order over N^(-1/3); there a quantity of the crack's front, which the elements at the front
+/// decide, has one over their size, where it is asked for.
 OrderOver order_over(const Row& row, bool uniform) {
     if (is_front_quantity(row.quantity)) return row.band.order_at_least ? OrderOver::size : OrderOver::none;
     return uniform && !is_scalar(row.quantity) ? OrderOver::count : OrderOver::none;
 }
 
 void conclude(Row& row, bool uniform) {
-    std::vector<double> sizes, errors;
-    const OrderOver over = order_over(row, uniform);
-    for (const LadderStep& step : row.ladder) {
-        sizes.push_back(over == OrderOver::size ? step.resolution.size : std::cbrt(1.0 / static_cast<double>(step.resolution.particles)));
-        errors.push_back(step.error);
-    }
-    if (over != OrderOver::none && sizes.size() >= 2)
-        if (const double order = observed_order(sizes, errors); std::isfinite(order)) row.measurement.order = order;
+    finish_ladder(row, order_over(row, uniform));
     row.verdict = judge(row.measurement, row.band, row.must_fail);
 }
 
@@ -274,7 +315,7 @@ std::string artifact_folder(std::string text) {
 CaseRun run_case(const Case& of, const RunOptions& options) {
     if (of.study) return run_study(of, options);
     CaseRun run;
-    run.result = {of.name, of.tier, of.about, "", of.parameters, {}, Verdict::info};
+    run.result = {of.name, of.tier, of.about, "", of.parameters, {}, Verdict::info, of.symmetry()};
     std::vector<std::vector<Row>> rows;
     for (const Check& check : of.checks) rows.push_back(empty_rows(check, of));
     const std::vector<double>& sizes = of.sizes(options.level);
@@ -285,6 +326,7 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
         LevelSources sources(of, size, options.out / "meshes");
         for (std::size_t c = 0; c < of.checks.size(); ++c)
             if (of.checks[c].takes(size, sizes)) add_step(of.checks[c], rows[c], sources);
+        if (size == sizes.back()) measure_other_sides(of, rows, sources);
         if (size == sizes.back())
             for (std::size_t p = 0; p < of.profiles.size(); ++p)
                 drawn.emplace_back(&of.profiles[p], write_profile(of.profiles[p], fmt::format("{}/profile_{}.csv", artifact_folder(of.name), p + 1), options.out, sources));

@@ -13,6 +13,8 @@
 #include "validation/studies/scene_claims.hpp"
 #include "validation/studies/seeded_contacts.hpp"
 
+#include <algorithm>
+
 namespace cleave::validation {
 
 const std::vector<StudyInfo>& studies() {
@@ -31,6 +33,11 @@ const std::vector<StudyInfo>& studies() {
         seeded_contacts_study(),
     };
     return list;
+}
+
+Side StudyInfo::side(const std::string& method) const {
+    if (method.starts_with("fem")) return Side::fem;
+    return std::find(mathematics.begin(), mathematics.end(), method) == mathematics.end() ? Side::particles : Side::mathematics;
 }
 
 const StudyInfo& study_info(TableReader& study) {

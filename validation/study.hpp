@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/input/table_reader.hpp"
+#include "solver/material/voigt.hpp"
 #include "validation/results.hpp"
 #include "validation/solve_note.hpp"
 
@@ -49,6 +50,8 @@ public:
     virtual ~Study() = default;
     /// Throws InputError, EnvironmentError.
     virtual StudyOutcome run(const StudyContext& context) const = 0;
+    /// The materials it measures (Pa), for the coverage by symmetry class; none where no material matters.
+    virtual std::vector<material::Stiffness> materials() const { return {}; }
 };
 
 struct StudyInfo {
@@ -57,6 +60,8 @@ struct StudyInfo {
     std::vector<QuantityInfo> quantities;
     std::vector<std::string> methods;          ///< what a check's `solver` may name
     std::shared_ptr<const Study> (*read)(TableReader&);  ///< reads the keys of [study]; throws InputError
+    std::vector<std::string> mathematics{};    ///< those of `methods` that are mathematics; "fem..." are finite elements, the others the method
+    Side side(const std::string& method) const;
 };
 
 const std::vector<StudyInfo>& studies();

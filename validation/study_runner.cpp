@@ -1,5 +1,8 @@
 #include "validation/study_runner.hpp"
 
+#include "validation/case_checks.hpp"
+#include "validation/ladder.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,6 +61,8 @@ Row empty_row(const Check& check, const std::string& solver, const std::string& 
     row.unit = check.angle ? "deg" : unit_name(check.unit);
     row.solver = solver;
     row.place = place.empty() ? "study" : place;
+    row.side = of.side(solver);
+    row.reference_side = reference_side(check, of);
     row.reference_source = check.reference.source;
     row.band = check.band(solver);
     row.relative = !row.band.absolute && !(check.reference.kind == Reference::Kind::value && check.reference.value == 0);
@@ -72,8 +77,9 @@ Row judged_row(const Check& check, const std::string& solver, const std::string&
     for (std::size_t step = 0; step < ladder.size(); ++step) {
         row.measurement = measure(shown(ladder[step]->value, check), reference_of(check, outcome, place, step, of));
         row.resolution = ladder[step]->resolution;
-        row.ladder.push_back({row.resolution, row.relative ? row.measurement.relative_error : row.measurement.absolute_error});
+        row.ladder.push_back({row.resolution, row.relative ? row.measurement.relative_error : row.measurement.absolute_error, row.measurement.value});
     }
+    finish_ladder(row, OrderOver::none);
     row.verdict = judge(row.measurement, row.band, row.must_fail);
     return row;
 }
@@ -94,7 +100,7 @@ void add_rows(const Check& check, const StudyOutcome& outcome, const Case& of, s
 
 CaseRun run_study(const Case& of, const RunOptions& options) {
     CaseRun run;
-    run.result = {of.name, of.tier, of.about, "", of.parameters, {}, Verdict::info};
+    run.result = {of.name, of.tier, of.about, "", of.parameters, {}, Verdict::info, of.symmetry()};
     const StudyOutcome outcome = of.study->run({options.level, options.out, options.out / "meshes", artifact_folder(of.name), {}});
     for (const Check& check : of.checks) add_rows(check, outcome, of, run.result.rows);
     if (!run.result.rows.empty()) run.result.rows.front().artifacts = outcome.artifacts;

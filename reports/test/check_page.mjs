@@ -6,15 +6,15 @@ import { check_page } from "./page_checks.mjs";
 import { uncaught_twins } from "./page_twins.mjs";
 
 function usage(why) {
-  console.error(`check_page: ${why}\nusage: check_page.sh [--twins] INDEX.html [--results RESULTS.json] [--out FOLDER]`);
+  console.error(`check_page: ${why}\nusage: check_page.sh [--twins] INDEX.html [--results RESULTS.json] [--axe AXE.min.js] [--out FOLDER]`);
   process.exit(2);
 }
 
 function read_arguments(words) {
-  const options = { twins: false, file: null, results: null, out: null };
+  const options = { twins: false, file: null, results: null, axe: null, out: null };
   for (let i = 0; i < words.length; ++i) {
     if (words[i] === "--twins") options.twins = true;
-    else if (words[i] === "--results" || words[i] === "--out")
+    else if (["--results", "--axe", "--out"].includes(words[i]))
       options[words[i].slice(2)] = words[++i] ?? usage(`${words[i - 1]} needs a value`);
     else if (words[i].startsWith("--") || options.file) usage(`unexpected ${words[i]}`);
     else options.file = words[i];
@@ -24,10 +24,11 @@ function read_arguments(words) {
   return options;
 }
 
-async function run(browser, { twins, file, results, out }) {
-  if (twins) return (await uncaught_twins(browser, file, out)).map((name) => `not caught: ${name}`);
+async function run(browser, { twins, file, results, axe, out }) {
+  const rules = axe ? readFileSync(axe, "utf8") : null;
+  if (twins) return (await uncaught_twins(browser, file, out, rules)).map((name) => `not caught: ${name}`);
   const expected = results ? JSON.parse(readFileSync(results, "utf8")) : null;
-  return check_page(browser, file, { results: expected, folder: out });
+  return check_page(browser, file, { results: expected, folder: out, axe: rules });
 }
 
 const options = read_arguments(process.argv.slice(2));

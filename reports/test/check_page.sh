@@ -1,8 +1,8 @@
 #!/bin/sh
 # Looks at a report page in headless Chromium, as a reader would:
-#   check_page.sh INDEX.html [--results RESULTS.json] [--out FOLDER]   exit 0: drawn and complete, 1: something is wrong with it
-#   check_page.sh --twins INDEX.html [--out FOLDER]                    damages the page in many ways; each must be caught
-# CHROMIUM and NODE name the programs where they are not on the path. Exit 2: usage, 3: a program is missing.
+#   check_page.sh INDEX.html [--results RESULTS.json] [--axe AXE.min.js] [--out FOLDER]   exit 0: drawn and complete, 1: something is wrong with it
+#   check_page.sh --twins INDEX.html [--axe AXE.min.js] --out FOLDER                  damages the page in many ways; each must be caught
+# With --axe, axe-core must find no serious violation. CHROMIUM and NODE name the programs where they are not on the path. Exit 2: usage, 3: a program is missing.
 set -u
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd) || exit 3
 

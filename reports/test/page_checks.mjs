@@ -9,6 +9,8 @@ import { describe_png } from "./png.mjs";
 const ready = 'document.documentElement.dataset.ready === "true"';
 const stopped = '(document.documentElement.dataset.errors ?? "[]") !== "[]"';
 const patience_seconds = 30;
+const sides = (line) => [line.particles, line.fem, line.mathematics].filter(Boolean).length;
+const lines_of = (results) => results.cases.flatMap((entry) => entry.comparison ?? []);
 const rows_of = (results) => results.cases.flatMap((entry) => entry.checks);
 const drawable = (check) => (check.ladder ?? []).filter(({ size, error }) => size > 0 && error > 0).length > 1;
 
@@ -40,6 +42,52 @@ async function table_rows(tab, checks) {
     if (marked !== stated) problems.push(`verdict table: ${marked} rows marked ${verdict}, ${stated} in the results`);
   }
   return problems;
+}
+
+/// One line per comparison; a difference that a check judged shows its verdict and leads to it, and so do the headline numbers.
+async function central_table(tab, lines) {
+  const shown = await tab.evaluate('document.querySelectorAll("#comparison-table tbody tr[data-row]").length');
+  const problems = shown === lines.length ? [] : [`central table: ${shown} lines for ${lines.length} comparisons`];
+  const pairs = ["particles_fem", "particles_mathematics", "fem_mathematics"];
+  const judged = lines.flatMap((line) => pairs.map((pair) => line[pair]?.check)).filter((check) => typeof check === "number").length;
+  const linked = await tab.evaluate('document.querySelectorAll("#comparison-table td a.mark[href^=\'#check-\']").length');
+  if (linked < judged) problems.push(`central table: ${linked} verdicts linked of ${judged}`);
+  const dashes = await tab.evaluate('document.querySelectorAll("#comparison-table .none").length');
+  const absent = lines.flatMap((line) => [...pairs, "particles", "fem", "mathematics"].map((key) => line[key])).filter((one) => !one).length;
+  if (dashes !== absent) problems.push(`central table: ${dashes} dashes for ${absent} values that are not there`);
+  return problems;
+}
+
+/// Each cell has its number, or a note that says why it is empty.
+async function coverage(tab, results) {
+  const cells = results.flatMap((one) => one.coverage ?? []);
+  const shown = await tab.evaluate('document.querySelectorAll("#coverage-table td").length');
+  const noted = await tab.evaluate('document.querySelectorAll("#coverage-table td a").length');
+  const distinct = new Set(cells.map(({ symmetry, family, method }) => [symmetry, family, method].join())).size;
+  const empty = results.length === 1 ? cells.filter(({ checks }) => checks === 0).length : noted;
+  if (shown !== distinct || noted !== empty) return [`coverage: ${shown} cells for ${distinct}, ${noted} notes for ${empty} empty ones`];
+  return [];
+}
+
+async function headline_links(tab, results) {
+  const stated = results.flatMap((one) => Object.values(one.headline ?? {})).filter(Boolean).length;
+  const linked = await tab.evaluate('document.querySelectorAll(".headline .figure a[href^=\'#check-\']").length');
+  const commands = await tab.evaluate('document.querySelectorAll(".headline dd code").length');
+  const wanted = Math.min(stated, 3);
+  if (linked < wanted || commands < wanted) return [`headline: ${linked} rows and ${commands} commands for ${wanted} worst numbers`];
+  return [];
+}
+
+/// axe-core's rules (WCAG 2 A and AA, best practices), on the page as it stands.
+async function accessibility(tab, axe, scheme) {
+  if (!axe) return [];
+  await tab.emulate("screen", scheme);
+  await tab.evaluate(axe);
+  const found = await tab.evaluate(`axe.run(document, { resultTypes: ["violations"] }).then(({ violations }) => violations
+    .filter(({ impact }) => impact === "serious" || impact === "critical")
+    .map(({ id, impact, nodes }) => "axe, ${scheme}: " + id + " (" + impact + ", " + nodes.length + " times): " + nodes[0].html.slice(0, 120)))`);
+  await tab.emulate("screen", "light");
+  return found;
 }
 
 /// Every panel holds drawn curves or marks inside its axes, not only axes.
@@ -94,7 +142,7 @@ const figures = (tab) =>
   const empty = [...document.querySelectorAll(".headline dd")].filter((item) => item.textContent.trim() === "").length;
   const count = document.querySelectorAll(".headline .figure").length;
   const nonsense = /\\bNaN\\b|undefined|Infinity|\\[object/.exec(document.getElementById("page")?.innerText ?? "");
-  return [...(count === 3 && empty === 0 ? [] : ["headline numbers missing"]), ...(nonsense ? ["prints " + nonsense[0]] : [])];
+  return [...(count === 5 && empty === 0 ? [] : ["headline numbers missing"]), ...(nonsense ? ["prints " + nonsense[0]] : [])];
 })()`);
 
 const fits = async (tab, width) => {
@@ -157,42 +205,58 @@ async function scenes(tab) {
   ];
 }
 
-/// Sort by keyboard, filter, CSV: done on the page, then undone.
-async function interaction(tab, checks) {
-  if (checks.length === 0) return [];
+/// Sort by keyboard, filter, CSV: done on the page, then undone. `numbers`: what the column holds, in the order of the rows;
+/// `choice`: which of the selects, and the value a row has for it.
+async function interaction(tab, { section, table, column, numbers, choice }) {
+  if (numbers.length === 0) return [];
   const problems = [];
-  const order = () => tab.evaluate('[...document.querySelectorAll("#verdict-table tbody tr")].map((row) => Number(row.dataset.row))');
-  await tab.evaluate('document.querySelector("#verdict-table th.error button").focus()');
+  const order = () => tab.evaluate(`[...document.querySelectorAll("#${table} tbody tr")].map((row) => Number(row.dataset.row))`);
+  await tab.evaluate(`document.querySelector("#${table} th.${column} button").focus()`);
   await tab.press("Enter");
-  const errors_now = (await order()).map((i) => checks[i]?.error).filter((error) => typeof error === "number");
-  if (errors_now.some((error, i) => i > 0 && error < errors_now[i - 1])) problems.push("sort by error: not ascending");
-  const state = await tab.evaluate('document.querySelector("#verdict-table th.error").getAttribute("aria-sort")');
-  if (state !== "ascending") problems.push(`sort by keyboard: aria-sort is ${state}`);
+  const sorted = (await order()).map((i) => numbers[i]).filter((number) => typeof number === "number");
+  if (sorted.some((number, i) => i > 0 && number < sorted[i - 1])) problems.push(`${section}: sort by ${column}: not ascending`);
+  const state = await tab.evaluate(`document.querySelector("#${table} th.${column}").getAttribute("aria-sort")`);
+  if (state !== "ascending") problems.push(`${section}: sort by keyboard: aria-sort is ${state}`);
   await tab.press("Enter");
   await tab.press("Enter");
   await tab.evaluate("document.activeElement.blur()");
-  if ((await order()).some((row, i) => row !== i)) problems.push("sort: the third press does not restore the order");
+  if ((await order()).some((row, i) => row !== i)) problems.push(`${section}: sort: the third press does not restore the order`);
 
   const csv = await tab.evaluate(`(async () => {
     let text;
     const make = URL.createObjectURL;
     URL.createObjectURL = (blob) => { text = blob.text(); return "#csv"; };
-    const solver = [...document.querySelectorAll("#verdicts .filters select")].pop();
-    solver.value = solver.options[1].value;
-    solver.dispatchEvent(new Event("change"));
-    const shown = document.querySelectorAll("#verdict-table tbody tr:not([hidden])").length;
-    document.querySelector(".download").click();
+    const select = document.querySelectorAll("#${section} .filters select")[${choice.number}];
+    select.value = select.options[1].value;
+    select.dispatchEvent(new Event("change"));
+    const shown = document.querySelectorAll("#${table} tbody tr:not([hidden])").length;
+    document.querySelector("#${section} .download").click();
     URL.createObjectURL = make;
-    const value = solver.value;
-    solver.value = "";
-    solver.dispatchEvent(new Event("change"));
+    const value = select.value;
+    select.value = "";
+    select.dispatchEvent(new Event("change"));
     return { lines: (await text).trim().split("\\n").length - 1, shown, value };
   })()`);
-  const expected = checks.filter((check) => check.solver === csv.value).length;
-  if (csv.shown !== expected) problems.push(`filter by solver ${csv.value}: ${csv.shown} rows of ${expected}`);
-  if (csv.lines !== expected) problems.push(`CSV: ${csv.lines} lines for ${expected} rows`);
+  const expected = choice.values.filter((value) => value === csv.value).length;
+  if (csv.shown !== expected) problems.push(`${section}: filter by ${csv.value}: ${csv.shown} rows of ${expected}`);
+  if (csv.lines !== expected) problems.push(`${section}: CSV: ${csv.lines} lines for ${expected} rows`);
   return problems;
 }
+
+const checks_table = (checks) => ({
+  section: "verdicts",
+  table: "verdict-table",
+  column: "error",
+  numbers: checks.map((check) => check.error),
+  choice: { number: 2, values: checks.map((check) => check.solver) },
+});
+const comparison_table = (lines) => ({
+  section: "comparison",
+  table: "comparison-table",
+  column: "particles_mathematics",
+  numbers: lines.map((line) => line.particles_mathematics?.error),
+  choice: { number: 0, values: lines.map((line) => line.quantity) },
+});
 
 /// A drawn page has text and curves: many colours (smoothed letters), and a good part of it is not background.
 function blank(png, name) {
@@ -218,23 +282,33 @@ async function picture(tab, { name, width, media, scheme }, folder) {
 }
 
 /// The checks in their order, each a function that gives its complaints.
-function stages(tab, url, results, folder) {
+function stages(tab, url, { results, folder, axe }) {
   let checks = [];
+  let lines = [];
+  let all = [];
   return [
     async () => {
-      checks = (results ? [results] : await read_embedded(tab)).flatMap(rows_of);
+      all = results ? [results] : await read_embedded(tab);
+      checks = all.flatMap(rows_of);
+      lines = all.flatMap(lines_of).sort((a, b) => sides(b) - sides(a)); // all three sides first, as the page has them
       return [];
     },
     () => errors(tab),
     () => outside_requests(tab, url),
     () => table_rows(tab, checks),
+    () => central_table(tab, lines),
+    () => headline_links(tab, all),
+    () => coverage(tab, all),
     () => charts(tab),
     () => convergence(tab, checks),
     () => sections(tab),
     () => figures(tab),
     () => names(tab),
-    () => interaction(tab, checks),
+    () => interaction(tab, checks_table(checks)),
+    () => interaction(tab, comparison_table(lines)),
     () => scenes(tab),
+    () => accessibility(tab, axe, "light"),
+    () => accessibility(tab, axe, "dark"),
     ...looks.map((look) => () => picture(tab, look, folder)),
     () => errors(tab),
     () => outside_requests(tab, url),
@@ -242,8 +316,8 @@ function stages(tab, url, results, folder) {
 }
 
 /// What is wrong with the page in `file`; nothing: an empty list. `results`: what it should show (default: what it holds).
-/// `folder` keeps the pictures. Stops at the first complaint that matches `until`.
-export async function check_page(browser, file, { results = null, folder = null, until = null } = {}) {
+/// `folder` keeps the pictures. `axe`: the text of axe.min.js, or null. Stops at the first complaint that matches `until`.
+export async function check_page(browser, file, { results = null, folder = null, until = null, axe = null } = {}) {
   if (folder) mkdirSync(folder, { recursive: true });
   const url = pathToFileURL(file).href;
   const tab = await Tab.open(browser, 1400);
@@ -251,7 +325,7 @@ export async function check_page(browser, file, { results = null, folder = null,
     await tab.go(url, `(${ready}) || (${stopped})`, patience_seconds);
     if (!(await tab.evaluate(ready))) return [...(await errors(tab)), "the page never finished drawing"];
     const problems = new Set();
-    for (const stage of stages(tab, url, results, folder)) {
+    for (const stage of stages(tab, url, { results, folder, axe })) {
       for (const problem of await stage()) problems.add(problem);
       if (until && [...problems].some((problem) => until.test(problem))) break;
     }

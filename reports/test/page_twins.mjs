@@ -70,12 +70,33 @@ const twins = [
   {
     name: "sorting that does nothing",
     damage: at_the_end('document.querySelectorAll("#verdict-table thead").forEach((head) => head.replaceWith(head.cloneNode(true)))'),
-    complaint: /sort/,
+    complaint: /verdicts: sort/,
+  },
+  {
+    name: "a central table that does not sort",
+    damage: at_the_end('document.querySelectorAll("#comparison-table thead").forEach((head) => head.replaceWith(head.cloneNode(true)))'),
+    complaint: /comparison: sort/,
+  },
+  { name: "a comparison lost", damage: remove("#comparison-table tbody tr"), complaint: /central table: \d+ lines for \d+ comparisons/ },
+  { name: "a verdict without its check", damage: remove("#comparison-table a.mark"), complaint: /central table: \d+ verdicts linked/ },
+  { name: "a headline number without its row", damage: remove(".headline a[href^='#check-']"), complaint: /headline: \d+ rows/ },
+  {
+    name: "a filter that hides nothing",
+    damage: at_the_end(
+      'document.querySelectorAll("#comparison .filters select").forEach((one) => one.replaceWith(one.cloneNode(true)))',
+    ),
+    complaint: /comparison: filter by/,
+  },
+  { name: "an empty cell without its reason", damage: remove("#coverage-table td a"), complaint: /coverage: \d+ cells/ },
+  {
+    name: "grey on grey",
+    damage: at_the_end('document.querySelector(".lead").style.color = "#c8c8c8"; document.querySelector(".lead").style.background = "#bbb"'),
+    complaint: /axe, light: color-contrast/,
   },
 ];
 
 /// Names of the twins that were not caught.
-export async function uncaught_twins(browser, file, folder) {
+export async function uncaught_twins(browser, file, folder, axe) {
   mkdirSync(folder, { recursive: true });
   const page = readFileSync(file, "utf8");
   const missed = [];
@@ -84,7 +105,7 @@ export async function uncaught_twins(browser, file, folder) {
     const text = damage(page);
     if (text === page) throw new Error(`twin "${name}" changes nothing`);
     writeFileSync(damaged, text);
-    const problems = await check_page(browser, damaged, { until: complaint });
+    const problems = await check_page(browser, damaged, { until: complaint, axe: /axe/.test(complaint.source) ? axe : null });
     const caught = problems.some((line) => complaint.test(line));
     console.log(`${caught ? "caught" : "MISSED"}: ${name}${caught ? "" : ` (said: ${problems.join("; ") || "nothing"})`}`);
     if (!caught) missed.push(name);

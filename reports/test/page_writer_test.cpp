@@ -1,5 +1,6 @@
 #include "reports/page_writer.hpp"
 
+#include "reports/history.hpp"
 #include "reports/report_data.hpp"
 #include "reports/summary.hpp"
 #include "solver/input/input_error.hpp"
@@ -80,11 +81,41 @@ TEST(ReportData, MergesFoldersWithDifferentCases) {
 
 TEST(Summary, ListsEveryCheckOnceAndTheMissedFirst) {
     const std::string text = render_summary(load_report({CLEAVE_SAMPLE}));
-    EXPECT_NE(text.find("8 of 9 judged checks passed; 2 for information."), std::string::npos);
+    EXPECT_NE(text.find("11 of 12 judged checks passed; 2 for information."), std::string::npos);
     const std::size_t all = text.find("## All checks");
     ASSERT_NE(all, std::string::npos);
     EXPECT_LT(text.find("## Missed"), all);
-    EXPECT_EQ(count(text.substr(all), "\n| "), 1 + 11);  // head and eleven checks
+    EXPECT_EQ(count(text.substr(all), "\n| "), 1 + 14);  // head and fourteen checks
+}
+
+TEST(Summary, FitsIntoACommentAndCountsWhatDoesNot) {
+    Report report = load_report({CLEAVE_SAMPLE});
+    json& checks = report.sources[0].results["cases"][0]["checks"];
+    for (int i = 0; i < 2000; ++i) checks.push_back(checks[0]);
+    const std::string text = render_summary(report);
+    EXPECT_LT(text.size(), 65536u);
+    EXPECT_NE(text.find("more stand in results.csv"), std::string::npos);
+    EXPECT_NE(text.find("worst energy release rate | 4.5 %"), std::string::npos) << text.substr(0, 800);
+}
+
+TEST(History, TellsWhatChanged) {
+    Report report = load_report({CLEAVE_SAMPLE});
+    EXPECT_TRUE(read_history({}, report).is_null());
+    EXPECT_TRUE(read_history({CLEAVE_SAMPLE}, report)["changes"].empty()) << "the same run";
+    json& checks = report.sources[0].results["cases"][0]["checks"];
+    checks[0]["error"] = 0.5;
+    checks[0]["verdict"] = "fail";
+    json another = checks[0];
+    another["place"] = "elsewhere";
+    checks.push_back(another);
+    report.history = read_history({CLEAVE_SAMPLE}, report);
+    ASSERT_EQ(report.history["changes"].size(), 2u);
+    ASSERT_EQ(report.history["runs"].size(), 2u);
+    EXPECT_EQ(report.history["runs"][1]["counts"]["fail"], report.history["runs"][0]["counts"]["fail"].get<int>() + 2);
+    EXPECT_NE(render_summary(report).find("| drifted | patch_sample |"), std::string::npos);
+    EXPECT_NE(render_summary(report).find("| new | patch_sample |"), std::string::npos);
+    report.sources[0].results["cases"].erase(0);
+    EXPECT_EQ(read_history({CLEAVE_SAMPLE}, report)["changes"][0]["kind"], "vanished");
 }
 
 }  // namespace

@@ -23,6 +23,8 @@ public:
         return outcome;
     }
 
+    std::vector<material::Stiffness> materials() const override { return {setup_.stiffness, setup_.second}; }
+
 private:
     Algorithm1Setup setup_;
     std::vector<double> quick_, full_;
@@ -114,7 +116,8 @@ StudyInfo algorithm_1_study() {
              {"breaking_ratio", dimension::none}},
             {"azimuth", "k_means", "distance", "paper", "members", "exact azimuth", "exact k_means", "exact distance", "exact members",
              "exact paper", "by_number", "of_outer_radius"},
-            read};
+            read,
+            {"exact azimuth", "exact k_means", "exact distance", "exact members", "exact paper"}};
 }
 
 }  // namespace cleave::validation

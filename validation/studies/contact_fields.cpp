@@ -159,6 +159,8 @@ public:
         return outcome;
     }
 
+    std::vector<material::Stiffness> materials() const override { return stiffnesses(surfaces_); }
+
 private:
     /// What the fields of one load are compared with, place by place.
     struct Exact {

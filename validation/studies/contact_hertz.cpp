@@ -166,7 +166,8 @@ StudyInfo contact_hertz_study() {
              {"relative_radius", dimension::length}, {"peak_force", dimension::force}, {"duration", dimension::time}, {"misfit", dimension::none},
              {"resultant", dimension::force}, {"displacement_error", dimension::none}},
             {"solver", "field", "integration", "turned", "circle"},
-            [](TableReader&) -> std::shared_ptr<const Study> { return std::make_shared<ContactHertz>(); }};
+            [](TableReader&) -> std::shared_ptr<const Study> { return std::make_shared<ContactHertz>(); },
+            {"integration"}};
 }
 
 }  // namespace cleave::validation

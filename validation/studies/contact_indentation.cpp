@@ -74,6 +74,8 @@ public:
         return outcome;
     }
 
+    std::vector<material::Stiffness> materials() const override { return stiffnesses(surfaces_); }
+
 private:
     /// h over its mean, by direction.
     static Artifact draw(const std::vector<ContactSurface>& surfaces, const StudyContext& context) {
@@ -106,7 +108,8 @@ StudyInfo contact_indentation_study() {
             {"surfaces"},
             {{"indentation_modulus", dimension::pressure}, {"surface_compliance_error", dimension::none}, {"paraboloid_error", dimension::none}},
             {"stroh", "analytic", "turned"},
-            [](TableReader& table) -> std::shared_ptr<const Study> { return std::make_shared<ContactIndentation>(read_surfaces(table)); }};
+            [](TableReader& table) -> std::shared_ptr<const Study> { return std::make_shared<ContactIndentation>(read_surfaces(table)); },
+            {"analytic", "turned"}};
 }
 
 }  // namespace cleave::validation

@@ -68,6 +68,12 @@ std::vector<ContactSurface> one_surface_of_each() {
     return chosen;
 }
 
+std::vector<material::Stiffness> stiffnesses(const std::vector<ContactSurface>& surfaces) {
+    std::vector<material::Stiffness> all;
+    for (const ContactSurface& surface : surfaces) all.push_back(surface.stiffness);
+    return all;
+}
+
 analytic::Point plain(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 Eigen::Vector3d eigen(const analytic::Point& p) { return {p[0], p[1], p[2]}; }
 

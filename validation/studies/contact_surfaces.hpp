@@ -29,6 +29,9 @@ std::vector<ContactSurface> read_surfaces(TableReader& study, const std::string&
 /// One surface of every material: isotropic, (111) or normal.
 std::vector<ContactSurface> one_surface_of_each();
 
+/// Of all surfaces, in their order.
+std::vector<material::Stiffness> stiffnesses(const std::vector<ContactSurface>& surfaces);
+
 analytic::Point plain(const Eigen::Vector3d& v);
 Eigen::Vector3d eigen(const analytic::Point& p);
 

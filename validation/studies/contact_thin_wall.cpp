@@ -118,6 +118,8 @@ public:
         return outcome;
     }
 
+    std::vector<material::Stiffness> materials() const override { return stiffnesses(quick_.surfaces); }
+
 private:
     static void measure(const ContactSurface& surface, const Level& level, const StudyContext& context, StudyOutcome& outcome) {
         const std::vector<double>& thicknesses = level.thicknesses;

@@ -108,6 +108,8 @@ public:
         return outcome;
     }
 
+    std::vector<material::Stiffness> materials() const override { return {setup_.material.stiffness}; }
+
 private:
     Setup setup_;
 };

@@ -193,6 +193,8 @@ public:
         return outcome;
     }
 
+    std::vector<material::Stiffness> materials() const override { return {setup_.stiffness}; }
+
 private:
     static void record(const std::string& method, const Release& release, const Setup& setup, Load load, Resolution resolution,
                        StudyOutcome& outcome) {
@@ -280,7 +282,8 @@ StudyInfo griffith_study() {
              {"load_exponent", dimension::none},
              {"rest_over_meeting", dimension::none}},
             {"solver", "fem.p2", "analytic", "balance", "printed", "printed, eta 0"},
-            read};
+            read,
+            {"analytic", "balance"}};
 }
 
 }  // namespace cleave::validation

@@ -35,6 +35,8 @@ public:
         return outcome;
     }
 
+    std::vector<material::Stiffness> materials() const override { return {stiffness_}; }
+
 private:
     Answer by_solver(fracture::Criterion criterion) const {
         const material::Voigt stress(stress_.data());
@@ -77,7 +79,8 @@ StudyInfo principal_directions_study() {
             {"material", "principal_stress", "turned"},
             {{"direction_difference", dimension::none, true}, {"direction", dimension::none, true}, {"gap", dimension::none}},
             {"solver", "analytic", "tensor_shear"},
-            read};
+            read,
+            {"analytic", "tensor_shear"}};
 }
 
 }  // namespace cleave::validation

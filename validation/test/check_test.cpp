@@ -32,22 +32,22 @@ TEST(Judge, OrderBand) {
 
 /// One end of a bracket: the reference itself is on both sides, and no value at all on neither.
 TEST(Judge, OneSidedBand) {
-    const auto judged = [](double value, Side side, bool must_fail = false) {
+    const auto judged = [](double value, BandSide side, bool must_fail = false) {
         Measurement m;
         m.value = value, m.reference = 2;
         return judge(m, {{}, {}, {}, side}, must_fail);
     };
-    EXPECT_EQ(judged(1.9, Side::below), Verdict::pass);
-    EXPECT_EQ(judged(2.1, Side::below), Verdict::fail);
-    EXPECT_EQ(judged(2.1, Side::above), Verdict::pass);
-    EXPECT_EQ(judged(1.9, Side::above), Verdict::fail);
-    EXPECT_EQ(judged(2, Side::below), Verdict::pass);
-    EXPECT_EQ(judged(2, Side::above), Verdict::pass);
-    EXPECT_EQ(judged(1.9, Side::above, true), Verdict::pass);
-    EXPECT_EQ(judged(2.1, Side::above, true), Verdict::fail);
+    EXPECT_EQ(judged(1.9, BandSide::below), Verdict::pass);
+    EXPECT_EQ(judged(2.1, BandSide::below), Verdict::fail);
+    EXPECT_EQ(judged(2.1, BandSide::above), Verdict::pass);
+    EXPECT_EQ(judged(1.9, BandSide::above), Verdict::fail);
+    EXPECT_EQ(judged(2, BandSide::below), Verdict::pass);
+    EXPECT_EQ(judged(2, BandSide::above), Verdict::pass);
+    EXPECT_EQ(judged(1.9, BandSide::above, true), Verdict::pass);
+    EXPECT_EQ(judged(2.1, BandSide::above, true), Verdict::fail);
     for (const bool must_fail : {false, true}) {
-        EXPECT_EQ(judged(std::nan(""), Side::below, must_fail), Verdict::fail);
-        EXPECT_EQ(judge({}, {{}, {}, {}, Side::below}, must_fail), Verdict::fail) << "nothing measured";
+        EXPECT_EQ(judged(std::nan(""), BandSide::below, must_fail), Verdict::fail);
+        EXPECT_EQ(judge({}, {{}, {}, {}, BandSide::below}, must_fail), Verdict::fail) << "nothing measured";
     }
 }
 

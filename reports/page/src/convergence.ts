@@ -1,8 +1,9 @@
 // Error against size, both axes logarithmic. The slope that is drawn dashed is the slope that was asserted.
 
 import { axis, base_option, symbols, type ChartBoard, type Colours, type LegendItem, type Panel } from "./chart_board";
-import { case_id, type Report, type Row } from "./data";
+import { case_id, type LadderStep, type Report, type Row } from "./data";
 import { el, missing, plain_table, scroll_frame, section } from "./dom";
+import { limit_table } from "./limits";
 import { number, quantity, superscript, unit_text, words } from "./format";
 import { log_ticks, spread } from "./ticks";
 
@@ -26,9 +27,16 @@ function asserted_order(row: Row): number | null {
   return typeof order === "number" ? order : null;
 }
 
+/// What the order was taken over: the representative size, where the results have it.
+function size_of({ h, size }: LadderStep): number {
+  return typeof h === "number" && h > 0 ? h : size;
+}
+
 function points_of(row: Row): Point[] {
   const points: Point[] = [];
-  for (const { size, error } of row.check.ladder ?? []) {
+  for (const step of row.check.ladder ?? []) {
+    const { error } = step;
+    const size = size_of(step);
     if (size > 0 && typeof error === "number" && error > 0) points.push({ x: Math.log10(size), y: Math.log10(error), size, error });
   }
   return points.sort((a, b) => a.x - b.x);
@@ -170,11 +178,11 @@ function option_of(curves: Curve[], unit: string, colours: Colours): Record<stri
 /// The numbers behind the chart; the order between two sizes is ln(e1/e0) / ln(h1/h0).
 function numbers_of(curves: Curve[], unit: string): HTMLElement {
   const rows = curves.flatMap(({ row, title }) => {
-    const steps = [...(row.check.ladder ?? [])].sort((a, b) => b.size - a.size);
+    const steps = [...(row.check.ladder ?? [])].sort((a, b) => size_of(b) - size_of(a));
     return steps.map((step, i) => {
       const coarser = steps[i - 1];
-      const order = coarser?.error && step.error ? Math.log(step.error / coarser.error) / Math.log(step.size / coarser.size) : null;
-      return [title, quantity(step.size, unit, 3), number(step.particles), number(step.dofs), number(step.error, 3), number(order, 3)];
+      const order = coarser?.error && step.error ? Math.log(step.error / coarser.error) / Math.log(size_of(step) / size_of(coarser)) : null;
+      return [title, quantity(size_of(step), unit, 3), number(step.particles), number(step.dofs), number(step.error, 3), number(order, 3)];
     });
   });
   const columns = [
@@ -216,8 +224,8 @@ export function convergence_section(report: Report, board: ChartBoard): HTMLElem
   if (drawn.length === 0) return section("convergence", title, missing("No check of these results has errors on two sizes or more."));
   const others = report.rows.length - drawn.length;
   const lead =
-    "Error against size on logarithmic axes. Dashed: the slope that the check asserts." +
+    "Error against representative size, over which the orders are taken, on logarithmic axes. Dashed: the slope that the check asserts." +
     (others > 0 ? ` ${others} of the ${report.rows.length} checks have no errors above zero on two sizes and are not drawn.` : "");
   const figures = groups_of(drawn).map((rows) => board.figure(panel_of(rows)));
-  return section("convergence", title, el("p", {}, lead), el("div", { class: "panels" }, ...figures));
+  return section("convergence", title, ...limit_table(report), el("p", {}, lead), el("div", { class: "panels" }, ...figures));
 }

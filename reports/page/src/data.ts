@@ -4,6 +4,8 @@ export type Verdict = "pass" | "fail" | "info";
 
 export interface LadderStep {
   size: number;
+  h?: number | null; ///< representative size: what orders are taken over
+  value?: number | null;
   error?: number | null;
   particles?: number | null;
   dofs?: number | null;
@@ -42,6 +44,62 @@ export interface Check {
   verdict: Verdict;
   artifacts?: ArtifactRef[] | null;
   ladder?: LadderStep[] | null;
+  convergence?: Convergence | null;
+  side?: Side;
+  reference_side?: Side | null;
+}
+
+export type Side = "particles" | "fem" | "mathematics";
+
+/// What the ladder tells about the limit; computed by the run, shown here.
+export interface Convergence {
+  order?: number | null;
+  order_of_values?: number | null;
+  extrapolated?: number | null;
+  uncertainty?: number | null;
+  asymptotic: "stated" | "denied" | "unknown";
+  why: string;
+}
+
+export interface Statement {
+  by: string;
+  value?: number | null;
+}
+/// `check`: number of the check that judged it; null: measured for the record.
+export interface Difference {
+  error?: number | null;
+  error_kind: string;
+  check?: number | null;
+}
+/// One line of the central table.
+export interface Comparison {
+  quantity: string;
+  component?: string;
+  unit?: string;
+  place?: string;
+  particles?: Statement | null;
+  fem?: Statement | null;
+  mathematics?: Statement | null;
+  particles_fem?: Difference | null;
+  particles_mathematics?: Difference | null;
+  fem_mathematics?: Difference | null;
+  checks: number[];
+}
+
+export interface CoverageCell {
+  symmetry: string;
+  family: string;
+  method: string;
+  checks: number;
+  cases?: string[];
+  why?: string;
+}
+
+export interface WorstError {
+  error: number;
+  case: string;
+  check: number;
+  command?: string;
 }
 
 export interface Case {
@@ -51,7 +109,9 @@ export interface Case {
   parameters?: Record<string, unknown>;
   command?: string;
   verdict?: string;
+  symmetry?: string[];
   checks: Check[];
+  comparison?: Comparison[];
 }
 
 export interface ArtifactTable {
@@ -109,7 +169,7 @@ export interface Scene {
 
 export interface Source {
   folder: string;
-  results: { level?: string; cases: Case[] };
+  results: { level?: string; cases: Case[]; headline?: Record<string, WorstError | null>; coverage?: CoverageCell[] };
   bench: Bench | null;
   timings: { cases?: Record<string, { seconds?: number }>; solves?: Record<string, unknown>[] } | null;
   provenance: Record<string, unknown> | null;
@@ -126,23 +186,64 @@ export interface Row {
   index: number;
 }
 
+/// One line of the central table with the case it comes from and the checks it was made of, by their numbers in the case.
+export interface Line {
+  line: Comparison;
+  owner: Case;
+  checks: Map<number, Row>;
+  index: number;
+}
+
+/// Earlier runs, this one last, and what changed since the one before.
+export interface History {
+  runs: {
+    folder: string;
+    level?: string;
+    commit?: string;
+    counts: Record<Verdict, number>;
+    headline?: Record<string, WorstError | null> | null;
+  }[];
+  changes: {
+    kind: "drifted" | "new" | "vanished";
+    case: string;
+    what: string;
+    before: number | null;
+    now: number | null;
+    verdict_before: Verdict | null;
+    verdict_now: Verdict | null;
+  }[];
+}
+
 export interface Report {
+  history: History | null;
   sources: Source[];
   rows: Row[];
+  lines: Line[];
+}
+
+function sides({ particles, fem, mathematics }: Comparison): number {
+  return [particles, fem, mathematics].filter(Boolean).length;
 }
 
 export function read_report(): Report {
   const text = document.getElementById("report-data")?.textContent ?? "";
-  const sources = (JSON.parse(text) as { sources: Source[] }).sources;
+  const { sources, history } = JSON.parse(text) as { sources: Source[]; history?: History | null };
   const rows: Row[] = [];
+  const lines: Line[] = [];
   for (const source of sources) {
     for (const owner of source.results.cases) {
-      for (const check of owner.checks) {
-        rows.push({ check, owner, source, tier: check.tier ?? owner.tier ?? "", index: rows.length });
-      }
+      const checks = new Map<number, Row>();
+      owner.checks.forEach((check, i) => {
+        const row = { check, owner, source, tier: check.tier ?? owner.tier ?? "", index: rows.length };
+        rows.push(row);
+        checks.set(i, row);
+      });
+      for (const line of owner.comparison ?? []) lines.push({ line, owner, checks, index: 0 });
     }
   }
-  return { sources, rows };
+  lines.sort((a, b) => sides(b.line) - sides(a.line)); // those that all three sides have first, else as the results have them
+  lines.forEach((line, index) => (line.index = index));
+  return { sources, rows, lines, history: history ?? null };
 }
 
 export function count(rows: Row[], verdict: Verdict): number {
@@ -156,6 +257,6 @@ export function case_id(owner: Case): string {
   return `case-${owner.name}-${parameters}`.replace(/[^\w-]+/g, "_");
 }
 
-export function is_reference_by_fem(row: Row): boolean {
-  return row.tier === "cross_code" || /^fem\b/.test(row.check.reference_source ?? "");
+export function check_id(row: Row): string {
+  return `check-${row.index}`;
 }

@@ -22,6 +22,11 @@ export function missing(why: string): HTMLElement {
   return el("p", { class: "missing" }, why);
 }
 
+/// A first line and smaller ones below it; empty ones are left out.
+export function lines(first: Node | string, ...others: (Node | string)[]): Node {
+  return el("span", {}, first, ...others.filter((text) => text !== "").map((text) => el("small", {}, text)));
+}
+
 /// A table that scrolls inside its own frame, by finger, wheel or arrow keys.
 export function scroll_frame(label: string, table: HTMLTableElement): HTMLElement {
   return el("div", { class: "scroll", role: "region", tabindex: "0", "aria-label": label }, table);

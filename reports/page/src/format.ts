@@ -32,7 +32,8 @@ function grouped(digits: string): string {
 }
 
 function plain(value: number, digits: number): string {
-  return grouped(value.toPrecision(digits)).replace("-", "−");
+  const text = value.toPrecision(digits);
+  return grouped(text.includes("e") ? String(Number(text)) : text).replace("-", "−");
 }
 
 function is_plain_size(value: number): boolean {

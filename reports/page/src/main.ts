@@ -2,11 +2,14 @@ import "./page.css";
 
 import { cases_section, provenance_section } from "./cases";
 import { ChartBoard } from "./chart_board";
+import { comparison_section } from "./comparison";
 import { convergence_section } from "./convergence";
 import { costs_section } from "./costs";
+import { coverage_section } from "./coverage";
 import { read_report, type Report } from "./data";
 import { el } from "./dom";
 import { headline } from "./headline";
+import { history_section } from "./history";
 import { samples_section } from "./samples";
 import { scenes_section } from "./scenes";
 import { subdivision_section } from "./subdivision";
@@ -42,14 +45,18 @@ function navigation(sections: HTMLElement[]): HTMLElement {
 function build(report: Report): void {
   const board = new ChartBoard();
   const missed = missed_section(report);
+  const history = history_section(report);
   const sections = [
     ...(missed ? [missed] : []),
+    comparison_section(report),
     verdict_section(report),
+    coverage_section(report),
     convergence_section(report, board),
     samples_section(report, board),
     subdivision_section(report),
     scenes_section(report),
     costs_section(report),
+    ...(history ? [history] : []),
     cases_section(report),
     provenance_section(report),
   ];
@@ -62,7 +69,7 @@ function build(report: Report): void {
   document
     .getElementById("page")
     ?.append(
-      el("a", { class: "skip", href: "#verdicts" }, "Skip to the verdicts"),
+      el("a", { class: "skip", href: "#comparison" }, "Skip to the central table"),
       header(report),
       el("main", {}, headline(report), navigation(sections), ...sections),
       footer,
@@ -70,5 +77,7 @@ function build(report: Report): void {
   board.draw();
 }
 
+// On paper nothing can be opened.
+addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((one) => (one.open = true)));
 build(read_report());
 document.documentElement.dataset.ready = "true";

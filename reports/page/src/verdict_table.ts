@@ -1,16 +1,9 @@
-import { case_id, type Report, type Row } from "./data";
-import { el, missing, scroll_frame, section } from "./dom";
+import { case_id, check_id, type Report, type Row } from "./data";
+import { DataTable, type Column } from "./data_table";
+import { el, lines, missing, section } from "./dom";
 import { band_text, dash, error_text, number, quantity, words } from "./format";
 
-interface Column {
-  key: string;
-  title: string;
-  numeric?: boolean;
-  sort: (row: Row) => string | number | null;
-  cell: (row: Row) => Node | string;
-}
-
-const marks = { pass: "✓", fail: "✗", info: "·" };
+export const marks = { pass: "✓", fail: "✗", info: "·" };
 
 function verdict_cell({ check }: Row): Node {
   const cell = el(
@@ -23,11 +16,6 @@ function verdict_cell({ check }: Row): Node {
   const why =
     check.verdict === "pass" ? "Must-fail twin: the wrong reference was caught" : "Must-fail twin: the wrong reference was NOT caught";
   return el("span", {}, cell, " ", el("abbr", { class: "twin", title: why }, "must-fail twin"));
-}
-
-/// A first line and smaller ones below it; empty ones are left out.
-function lines(first: Node | string, ...others: string[]): Node {
-  return el("span", {}, first, ...others.filter(Boolean).map((text) => el("small", {}, text)));
 }
 
 function parameters_text(row: Row): string {
@@ -65,9 +53,9 @@ function band_cell({ check }: Row): string {
   return check.must_fail && check.band ? `must miss ${text}` : text;
 }
 
-const columns: Column[] = [
+const columns: Column<Row>[] = [
   { key: "verdict", title: "Verdict", sort: ({ check }) => ["fail", "info", "pass"].indexOf(check.verdict), cell: verdict_cell },
-  { key: "case", title: "Case", sort: (row) => row.owner.name, cell: case_cell },
+  { key: "case", title: "Case", head: true, sort: (row) => row.owner.name, cell: case_cell },
   {
     key: "quantity",
     title: "Quantity",
@@ -111,28 +99,7 @@ function searchable(row: Row): string {
     parameters_text(row),
   ]
     .filter(Boolean)
-    .join(" ")
-    .toLowerCase();
-}
-
-function table_line(row: Row): HTMLTableRowElement {
-  const cells = columns.map((column) =>
-    column.key === "case"
-      ? el("th", { scope: "row" }, column.cell(row))
-      : el("td", { class: `${column.key}${column.numeric ? " number" : ""}` }, column.cell(row)),
-  );
-  return el("tr", { "data-row": String(row.index), class: row.check.verdict }, ...cells);
-}
-
-/// Nulls last in both directions.
-function compare(a: string | number | null, b: string | number | null, sign: number): number {
-  if (a === null || b === null) return a === b ? 0 : a === null ? 1 : -1;
-  return sign * (typeof a === "number" && typeof b === "number" ? a - b : String(a).localeCompare(String(b), "en"));
-}
-
-function csv_cell(value: unknown): string {
-  const text = value === null || value === undefined ? "" : typeof value === "object" ? JSON.stringify(value) : String(value);
-  return /[",\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
+    .join(" ");
 }
 
 const csv_keys = [
@@ -153,110 +120,39 @@ const csv_keys = [
   "verdict",
 ] as const;
 
-function csv(rows: Row[]): string {
-  const head = ["case", "tier", ...csv_keys.slice(0, 5), "size", "size_unit", "particles", "dofs", ...csv_keys.slice(5), "command"];
-  const line = ({ check, owner, tier }: Row): unknown[] => {
-    const { size, unit, particles, dofs } = check.resolution ?? {};
-    return [
-      owner.name,
-      tier,
-      ...csv_keys.slice(0, 5).map((key) => check[key]),
-      size,
-      unit,
-      particles,
-      dofs,
-      ...csv_keys.slice(5).map((key) => check[key]),
-      owner.command,
-    ];
-  };
-  return [head, ...rows.map(line)].map((cells) => cells.map(csv_cell).join(",")).join("\n") + "\n";
+const csv_head = ["case", "tier", ...csv_keys.slice(0, 5), "size", "size_unit", "particles", "dofs", ...csv_keys.slice(5), "command"];
+
+function csv_line({ check, owner, tier }: Row): unknown[] {
+  const { size, unit, particles, dofs } = check.resolution ?? {};
+  const first = csv_keys.slice(0, 5).map((key) => check[key]);
+  return [owner.name, tier, ...first, size, unit, particles, dofs, ...csv_keys.slice(5).map((key) => check[key]), owner.command];
 }
 
-function download(name: string, text: string): void {
-  const address = URL.createObjectURL(new Blob([text], { type: "text/csv;charset=utf-8" }));
-  el("a", { href: address, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(address), 1000);
-}
-
-function choice(label: string, values: string[]): { field: HTMLElement; select: HTMLSelectElement } {
-  const select = el("select", {}, el("option", { value: "" }, "all"), ...values.map((value) => el("option", { value }, words(value))));
-  return { field: el("label", {}, label, select), select };
-}
-
-/// The table of all checks: filter by text, tier, verdict, solver; sort by any column (again: reversed, a third time: file order).
-class VerdictTable {
-  private readonly lines_: { row: Row; line: HTMLTableRowElement; text: string }[];
-  private readonly body_ = el("tbody");
-  private readonly status_ = el("p", { class: "status", role: "status", "aria-live": "polite" });
-  private readonly heads_: HTMLTableCellElement[] = [];
-  private readonly search_ = el("input", { type: "search", placeholder: "case, place, source …" });
-  private readonly selects_: { select: HTMLSelectElement; of: (row: Row) => string }[] = [];
-  private readonly filters_ = el("div", { class: "filters", role: "search", "aria-label": "Filter the checks" });
-
-  constructor(rows: Row[]) {
-    this.lines_ = rows.map((row) => ({ row, line: table_line(row), text: searchable(row) }));
-    this.search_.addEventListener("input", () => this.filter());
-    this.filters_.append(el("label", {}, "Search", this.search_));
-    this.add_choice("Tier", rows, (row) => row.tier);
-    this.add_choice("Verdict", rows, (row) => row.check.verdict);
-    this.add_choice("Solver", rows, (row) => row.check.solver);
-    const button = el("button", { type: "button", class: "download" }, "Download these rows as CSV");
-    button.addEventListener("click", () => download("cleave-checks.csv", csv(this.shown())));
-    this.filters_.append(button);
-    this.body_.append(...this.lines_.map(({ line }) => line));
-    this.filter();
-  }
-
-  elements(): HTMLElement[] {
-    const head = el("tr", {}, ...columns.map((column, i) => this.head(column, i)));
-    const caption = el("caption", {}, "Every check: value, reference, error, acceptance band and verdict");
-    const table = el("table", { id: "verdict-table" }, caption, el("thead", {}, head), this.body_);
-    return [this.filters_, this.status_, scroll_frame("Verdict table", table)];
-  }
-
-  private add_choice(label: string, rows: Row[], of: (row: Row) => string): void {
-    const { field, select } = choice(label, [...new Set(rows.map(of))].sort());
-    select.addEventListener("change", () => this.filter());
-    this.selects_.push({ select, of });
-    this.filters_.append(field);
-  }
-
-  private head(column: Column, i: number): HTMLTableCellElement {
-    const button = el("button", { type: "button" }, column.title, el("span", { class: "arrow", "aria-hidden": "true" }));
-    const head = el("th", { scope: "col", "aria-sort": "none", class: `${column.key}${column.numeric ? " number" : ""}` }, button);
-    button.addEventListener("click", () => this.sort(i));
-    this.heads_.push(head);
-    return head;
-  }
-
-  private sort(i: number): void {
-    const next = { none: "ascending", ascending: "descending", descending: "none" } as const;
-    const order = next[(this.heads_[i].getAttribute("aria-sort") ?? "none") as keyof typeof next];
-    this.heads_.forEach((head, j) => head.setAttribute("aria-sort", i === j ? order : "none"));
-    const key = columns[i].sort;
-    const sign = order === "descending" ? -1 : 1;
-    const sorted = [...this.lines_];
-    if (order !== "none") sorted.sort((a, b) => compare(key(a.row), key(b.row), sign) || a.row.index - b.row.index);
-    this.body_.append(...sorted.map(({ line }) => line));
-  }
-
-  private filter(): void {
-    const sought = this.search_.value.toLowerCase().split(/\s+/).filter(Boolean);
-    for (const { row, line, text } of this.lines_) {
-      const chosen = this.selects_.every(({ select, of }) => select.value === "" || select.value === of(row));
-      line.hidden = !chosen || !sought.every((word) => text.includes(word));
-    }
-    this.status_.textContent = `${this.shown().length} of ${this.lines_.length} checks shown`;
-  }
-
-  private shown(): Row[] {
-    return this.lines_.filter(({ line }) => !line.hidden).map(({ row }) => row);
-  }
+function table_of(rows: Row[]): DataTable<Row> {
+  return new DataTable({
+    id: "verdict-table",
+    caption: "Every check: value, reference, error, acceptance band and verdict",
+    label: "Verdict table",
+    noun: "checks",
+    placeholder: "case, place, source …",
+    file: "cleave-checks.csv",
+    items: rows,
+    columns,
+    choices: [
+      { label: "Tier", of: (row) => row.tier },
+      { label: "Verdict", of: (row) => row.check.verdict },
+      { label: "Solver", of: (row) => row.check.solver },
+    ],
+    text: searchable,
+    line: (row) => ({ id: check_id(row), "data-row": String(row.index), class: row.check.verdict }),
+    csv_head,
+    csv_line,
+  });
 }
 
 export function verdict_section({ rows }: Report): HTMLElement {
-  if (rows.length === 0) return section("verdicts", "Verdicts", missing("results.json holds no check."));
-  return section("verdicts", "Verdicts", ...new VerdictTable(rows).elements());
+  if (rows.length === 0) return section("verdicts", "All checks", missing("results.json holds no check."));
+  return section("verdicts", "All checks", ...table_of(rows).elements());
 }
 
 function missed_text(row: Row): string {

@@ -14,7 +14,7 @@ cleave=$work/prefix/bin/cleave
 [ -s reported/index.html ] || fail "no index.html"
 "$cleave" test >test.log 2>&1; [ $? = 2 ] || fail "bin/cleave test: there are no tests outside the source tree"
 
-cmake -S "$source/solver/test/outside" -B outside -D CMAKE_PREFIX_PATH="$work/prefix" -D CMAKE_BUILD_TYPE=Release >configure.log 2>&1 ||
+cmake -G Ninja -S "$source/solver/test/outside" -B outside -D CMAKE_PREFIX_PATH="$work/prefix" -D CMAKE_BUILD_TYPE=Release >configure.log 2>&1 ||
   { tail -n 15 configure.log; fail "find_package(cleave)"; }
 cmake --build outside >build.log 2>&1 || { tail -n 15 build.log; fail "the outside program does not build"; }
 grep -rlq "$source" prefix/lib/cmake prefix/bin/cleave && fail "the package names the source tree"

@@ -122,7 +122,7 @@ void read_loads(TableReader& reader, const Defaults& defaults, Case& result) {
     }
 }
 
-constexpr double most_tets = 1e8;  // the mesh alone takes 20 GB then
+constexpr double most_tets = 1e8;  // a typing error: twenty times the largest body of the benchmarks
 
 std::vector<double> checked_ladder(const TableReader& table, const std::string& key, std::vector<double> sizes, double unit, const geometry::Shape& shape) {
     if (sizes.empty()) table.fail(key, "at least one size");

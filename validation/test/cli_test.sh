@@ -2,28 +2,10 @@
 # The program as a user meets it: exit codes, one line per mistake, nothing half-written, the same bytes twice.
 #   cli_test.sh CLEAVE_VALIDATE CLEAVE_MATERIAL SCHEMA README FOLDER
 set -u
+. "$(dirname "$0")/../../solver/input/test/cli_expect.sh"
 validate=$1 material=$2 schema=$3 readme=$4 work=$5
 rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
-failures=0 checks=0
-
-# expect NAME EXIT_CODE PATTERN COMMAND...: the exit code, and for 2 exactly one line on stderr that holds PATTERN, stdout empty.
-expect() {
-  name=$1 wanted=$2 pattern=$3; shift 3
-  checks=$((checks + 1))
-  "$@" >stdout 2>stderr
-  code=$?
-  problem=
-  [ $code = "$wanted" ] || problem="exit code $code instead of $wanted"
-  if [ "$wanted" = 2 ]; then
-    [ "$(wc -l <stderr)" = 1 ] || problem="$problem; $(wc -l <stderr) lines on stderr"
-    [ -s stdout ] && problem="$problem; something on stdout"
-  fi
-  grep -qF -- "$pattern" stderr stdout || problem="$problem; no '$pattern'"
-  if [ -n "$problem" ]; then
-    failures=$((failures + 1))
-    echo "FAILED $name: $problem"; sed 's/^/  stderr: /' stderr | head -n 5
-  fi
-}
+left='bad'
 
 cat >good.toml <<'EOF'
 name = "good"
@@ -113,12 +95,12 @@ for example in readme_*.toml; do
     expect "the README's material $example" 0 "Young's modulus" "$material" "$example"
   fi
 done
-[ $kinds -ge 4 ] || { failures=$((failures + 1)); echo "FAILED: cases of the README are missing"; }
+[ $kinds -ge 4 ] || fail "cases of the README are missing"
 
-[ -e bad ] && { failures=$((failures + 1)); echo "FAILED: bad input left something behind: $(ls bad)"; }
+[ -e bad ] && fail "bad input left something behind: $(ls bad)"
 
 expect "a second run" 0 "rows unchanged" "$validate" good.toml --out again --compare good/results.json
-cmp -s good/results.json again/results.json || { failures=$((failures + 1)); echo "FAILED: two runs differ"; }
+cmp -s good/results.json again/results.json || fail "two runs differ"
 
 # The results follow their schema; a broken one does not.
 check_schema() {
@@ -131,9 +113,9 @@ except jsonschema.ValidationError as error:
     sys.exit("schema: " + error.message)
 EOF
 }
-check_schema good/results.json || { failures=$((failures + 1)); echo "FAILED: results.json against its schema"; }
+check_schema good/results.json || fail "results.json against its schema"
 sed 's/"verdict": "pass"/"verdict": "perhaps"/' good/results.json >broken.json
-check_schema broken.json 2>/dev/null && { failures=$((failures + 1)); echo "FAILED: the schema accepts a broken file"; }
+check_schema broken.json 2>/dev/null && fail "the schema accepts a broken file"
 
 echo "$((checks + 3 - failures)) passed, $failures failed"
 [ $failures = 0 ]

@@ -2,29 +2,10 @@
 # cleave mesh as a user meets it: exit codes, one line per mistake, nothing half-written, the same bytes twice.
 #   mesh_cli_test.sh CLEAVE_MESH FOLDER
 set -u
+. "$(dirname "$0")/../../input/test/cli_expect.sh"
 mesh=$1 work=$2
 rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
-failures=0 checks=0
-
-# expect NAME EXIT_CODE PATTERN COMMAND...: the exit code; for 2 exactly one line on stderr that holds PATTERN, and no file left.
-expect() {
-  name=$1 wanted=$2 pattern=$3; shift 3
-  checks=$((checks + 1))
-  "$@" >stdout 2>stderr
-  code=$?
-  problem=
-  [ $code = "$wanted" ] || problem="exit code $code instead of $wanted"
-  if [ "$wanted" = 2 ]; then
-    [ "$(wc -l <stderr)" = 1 ] || problem="$problem; $(wc -l <stderr) lines on stderr"
-    [ -s stdout ] && problem="$problem; something on stdout"
-    ls out.* >/dev/null 2>&1 && problem="$problem; a file was left: $(ls out.*)"
-  fi
-  grep -qF -- "$pattern" stderr stdout || problem="$problem; no '$pattern'"
-  if [ -n "$problem" ]; then
-    failures=$((failures + 1))
-    echo "FAILED $name: $problem"; sed 's/^/  stderr: /' stderr | head -n 5
-  fi
-}
+left='out.*'
 
 cat >tet.obj <<'END'
 v 0 0 0
@@ -61,12 +42,12 @@ expect 'bad scene' 2 'particles: expected 1 to' "$mesh" none.toml --out out.msh
 expect 'folder without rights' 3 'cannot be written' "$mesh" tet.obj --mesher gmsh --count 1 --out /proc/out.msh
 expect 'surface' 0 'tets ' "$mesh" tet.obj --out one.msh --count 300
 expect 'scene' 0 'asked for: 300' "$mesh" scene.toml --out two.msh
-cmp one.msh two.msh || { failures=$((failures + 1)); echo 'FAILED two runs: other bytes'; }
+cmp one.msh two.msh || fail 'two runs: other bytes'
 expect 'as JSON' 0 '"schema": "cleave.mesh/1"' "$mesh" one.msh --json --out three.vtu
 expect 'back from .vtu' 0 'region 1' "$mesh" three.vtu --out four.mesh
 expect 'back from .mesh' 0 'volume              0.166666667 m^3' "$mesh" four.mesh --out five.msh
 expect 'tets have their count' 2 'these are tets already' "$mesh" one.msh --out out.msh --count 100
-ls ./*.part* >/dev/null 2>&1 && { failures=$((failures + 1)); echo 'FAILED: a part of a file was left'; }
+ls ./*.part* >/dev/null 2>&1 && fail 'a part of a file was left'
 
 echo "$checks checks, $failures failures"
 [ $failures = 0 ]

@@ -2,30 +2,10 @@
 # cleave simulate as a user meets it: exit codes, one line per mistake, nothing half-written; README's own scene, its restart and its table.
 #   simulate_cli_test.sh CLEAVE_SIMULATE README FOLDER
 set -u
+. "$(dirname "$0")/../../input/test/cli_expect.sh"
 simulate=$1 readme=$2 work=$3
 rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
-failures=0 checks=0
-
-fail() { failures=$((failures + 1)); echo "FAILED $*"; }
-
-# expect NAME EXIT_CODE PATTERN COMMAND...: the exit code; for 2 exactly one line on stderr that holds PATTERN, and no folder left.
-expect() {
-  name=$1 wanted=$2 pattern=$3; shift 3
-  checks=$((checks + 1))
-  "$@" >stdout 2>stderr
-  code=$?
-  problem=
-  [ $code = "$wanted" ] || problem="exit code $code instead of $wanted"
-  if [ "$wanted" = 2 ]; then
-    [ "$(wc -l <stderr)" = 1 ] || problem="$problem; $(wc -l <stderr) lines on stderr"
-    [ -s stdout ] && problem="$problem; something on stdout"
-    [ -e bad/statistics.json ] && problem="$problem; results were left"
-  fi
-  grep -qF -- "$pattern" stderr stdout || problem="$problem; no '$pattern'"
-  if [ -n "$problem" ]; then
-    fail "$name: $problem"; sed 's/^/  stderr: /' stderr | head -n 5
-  fi
-}
+left='bad/statistics.json'
 
 # README's example: files by the name in their first line, and the commands.
 awk '/^```toml/ { block = 1; next } /^```/ { block = 0; file = "" } block == 1 { block = 2; if ($0 ~ /^# [a-z]+\.toml/) file = substr($0, 3) }

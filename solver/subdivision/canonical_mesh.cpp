@@ -16,11 +16,16 @@ CanonicalMesh::Record sorted_record(const std::array<int, 4>& vertices) {
     CanonicalMesh::Record record{};
     record.sorted = vertices;
     record.position = {0, 1, 2, 3};
+    // Choices of values: a branch could not be foretold.
     const auto exchange = [&](int i, int j) {
-        if (record.sorted[i] <= record.sorted[j]) return;
-        std::swap(record.sorted[i], record.sorted[j]);
-        std::swap(record.position[i], record.position[j]);
-        record.odd ^= 1;
+        const bool turned = record.sorted[i] > record.sorted[j];
+        const auto choose = [turned](auto& a, auto& b) {
+            const auto first = turned ? b : a, second = turned ? a : b;
+            a = first, b = second;
+        };
+        choose(record.sorted[i], record.sorted[j]);
+        choose(record.position[i], record.position[j]);
+        record.odd ^= static_cast<std::uint8_t>(turned);
     };
     exchange(0, 1), exchange(2, 3), exchange(0, 2), exchange(1, 3), exchange(1, 2);
     record.opposite.fill(-1);
@@ -119,24 +124,19 @@ private:
         }
         if (place.full) throw std::invalid_argument("CanonicalMesh: three tets share a face");
         place.full = true;
-        mesh_.records[slot / 4].opposite[slot % 4] = place.slot;
-        mesh_.records[place.slot / 4].opposite[place.slot % 4] = slot;
+        join(slot, place.slot);
+        join(place.slot, slot);
+    }
+    /// What a half face's record says of the half face behind it.
+    void join(int slot, int behind) {
+        CanonicalMesh::Record &record = mesh_.records[slot / 4], &other = mesh_.records[behind / 4];
+        record.opposite[slot % 4] = behind;
+        record.behind = static_cast<std::uint8_t>(record.behind | other.position[behind % 4] << 2 * (slot % 4));
     }
     CanonicalMesh& mesh_;
     std::vector<Place> places_;
     int round_ = 0;
 };
-
-void note_positions_behind(CanonicalMesh& out) {
-    for (CanonicalMesh::Record& record : out.records) {
-        unsigned packed = 0;
-        for (int f = 0; f < 4; ++f) {
-            const int behind = record.opposite[f];
-            if (behind >= 0) packed |= static_cast<unsigned>(out.records[behind / 4].position[behind % 4]) << 2 * f;
-        }
-        record.behind = static_cast<std::uint8_t>(packed);
-    }
-}
 
 }  // namespace
 
@@ -145,6 +145,8 @@ CanonicalMesh::CanonicalMesh(const mesh::TetMesh& mesh) {
     for (const Eigen::Vector3d& x : mesh.vertices) vertices.push_back(Vector4{x[0], x[1], x[2], std::numeric_limits<double>::infinity()});
     records.reserve(mesh.tets.size());
     for (const auto& tet : mesh.tets) records.push_back(sorted_record(tet));
+    constexpr std::size_t ahead = 16;
+    const auto ask_for = [&](int item) { __builtin_prefetch(&records[item / 4], 1); };
     const Incidence incidence(*this, vertices.size());
     EdgeNumbers edge_numbers(*this);
     FacePairs face_pairs(*this);
@@ -152,12 +154,12 @@ CanonicalMesh::CanonicalMesh(const mesh::TetMesh& mesh) {
         const auto first = static_cast<std::size_t>(incidence.start[v]), last = static_cast<std::size_t>(incidence.start[v + 1]);
         face_pairs.start(last - first);
         for (std::size_t i = first; i < last; ++i) {
+            if (i + ahead < incidence.items.size()) ask_for(incidence.items[i + ahead]);
             edge_numbers.name(static_cast<int>(v), incidence.items[i]);
             face_pairs.name(incidence.items[i]);
         }
     }
     for (Vector4& vertex : vertices) vertex[3] = std::sqrt(vertex[3]);  // the root keeps the order: shortest_incident_edges, to the bit
-    note_positions_behind(*this);
 }
 
 }  // namespace cleave::subdivision

@@ -18,16 +18,20 @@ struct HugePageAllocator {
     HugePageAllocator(const HugePageAllocator<Other>&) {}
 
     static constexpr std::size_t page = std::size_t{1} << 21;
+    /// Clearing one huge page takes the system about as long as handing out the small ones of a quarter.
+    static constexpr bool is_large(std::size_t bytes) { return bytes >= page / 4; }
 
     Value* allocate(std::size_t count) {
         const std::size_t bytes = count * sizeof(Value);
-        if (bytes < page) return static_cast<Value*>(::operator new(bytes, std::align_val_t{64}));
-        void* memory = ::operator new(bytes, std::align_val_t{page});
-        ::madvise(memory, bytes, MADV_HUGEPAGE);
+        if (!is_large(bytes)) return static_cast<Value*>(::operator new(bytes, std::align_val_t{64}));
+        // Whole pages: the tail, or all of an array somewhat smaller than a page, would lie on small ones otherwise.
+        const std::size_t whole = (bytes + page - 1) / page * page;
+        void* memory = ::operator new(whole, std::align_val_t{page});
+        ::madvise(memory, whole, MADV_HUGEPAGE);
         return static_cast<Value*>(memory);
     }
     void deallocate(Value* memory, std::size_t count) {
-        ::operator delete(memory, std::align_val_t{count * sizeof(Value) < page ? 64 : page});
+        ::operator delete(memory, std::align_val_t{is_large(count * sizeof(Value)) ? page : 64});
     }
     friend bool operator==(const HugePageAllocator&, const HugePageAllocator&) { return true; }
 };

@@ -52,8 +52,14 @@ ParentLayout layout_of(unsigned plus_mask, const PieceTable& pieces) {
         layout.place[own.face] = static_cast<std::uint8_t>(k);
         layout.ends[own.face] = {half_face_on(pieces, k < cuts ? rings[k] : rings[1] + 2, own.face),
                                  half_face_on(pieces, k < cuts ? lone_child(pieces, rings, cuts, own.face) : rings[0] + 2, own.face)};
-        for (int byte = 0; byte < 4; ++byte) layout.role_bytes[4 * k + byte] = static_cast<std::uint8_t>(4 * cut.roles[k] + byte);
+        for (int byte = 0; byte < 4; ++byte) {
+            layout.role_bytes[4 * k + byte] = static_cast<std::uint8_t>(4 * cut.roles[k] + byte);
+            layout.face_bytes[4 * k + byte] = static_cast<std::uint8_t>(4 * own.face + byte);
+            layout.cut_bytes[4 * k + byte] = static_cast<std::uint8_t>(4 * (k < cuts ? k : 0) + byte);
+        }
+        layout.edge_lanes[k] = own.edge;
     }
+    layout.cut_edges = (1U << cuts) - 1;
     return layout;
 }
 
@@ -114,6 +120,19 @@ const std::array<ParentLayout, 32>& parent_layouts() {
             made[i] = layout_of(i / 2, piece_tables()[i]);
             const bool turned = is_odd(cut_template(i / 2).roles) != (i % 2 == 1);
             made[i].pattern = &patterns()[(made[i].kind == ParentLayout::two_two ? 2U : 0U) + (turned ? 1U : 0U)];
+        }
+        return made;
+    }();
+    return all;
+}
+
+const FaceTables& face_tables() {
+    static const FaceTables all = [] {
+        FaceTables made;
+        for (std::size_t i = 0; i < 128; ++i) {
+            const ParentLayout& layout = parent_layouts()[i / 4];
+            made.place[i] = layout.place[i % 4];
+            made.ends[i] = layout.ends[i % 4];
         }
         return made;
     }();

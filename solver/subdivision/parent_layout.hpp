@@ -42,10 +42,22 @@ struct ParentLayout {
     std::array<Own, 4> own{};
     std::array<std::uint8_t, 4> place{};     ///< of a face in `own`, by the sorted vertex opposite
     std::array<LinkEnds, 4> ends{};          ///< the links to a face end here (from the first child's half faces on), by the sorted vertex opposite
-    alignas(16) std::array<std::uint8_t, 16> role_bytes{};  ///< the sorted vertices by role, as a byte shuffle of four ints
+    // For registers of four ints: byte shuffles, and lanes of eight ints.
+    alignas(16) std::array<std::uint8_t, 16> role_bytes{};  ///< the sorted vertices by role
+    alignas(16) std::array<std::uint8_t, 16> face_bytes{};  ///< what stands by sorted face, in the order of `own`
+    alignas(16) std::array<std::uint8_t, 16> cut_bytes{};   ///< cut points; a 3-1 parent's fourth is its first once more
+    alignas(32) std::array<std::int32_t, 8> edge_lanes{};   ///< what stands by edge, in the order of `own` (in the lower half)
+    unsigned cut_edges = 0;                                  ///< bit k: the cut edge k is not one once more
+};
+
+/// `place` and `ends` of all layouts side by side, by 4 * number of the layout + sorted face.
+struct FaceTables {
+    alignas(64) std::array<std::int32_t, 128> place{};
+    alignas(64) std::array<LinkEnds, 128> ends{};
 };
 
 /// By 2 * m + odd, as piece_tables().
 const std::array<ParentLayout, 32>& parent_layouts();
+const FaceTables& face_tables();
 
 }  // namespace cleave::subdivision

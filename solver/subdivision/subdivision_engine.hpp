@@ -31,12 +31,13 @@ struct Among {
     bool has(int tet) const { return (labels == nullptr || labels[tet] == label) && (regions == nullptr || regions[tet] == region); }
 };
 
-/// The fast form of PlainSubdivision, equal to it to the bit. A cut goes in three steps: finding the parents (TetBoxes), planning
-/// (numbers of points and children, links; in one pass), writing the children (child_writer). Original tets keep their numbers 0 ..
-/// n-1; children are numbered from n on, cut by cut, parent by parent, and stand in arrays of their own, so that a cut costs what it
-/// cuts and not what the body has. A child's neighbour is read from tables: vertices of each tet are taken in sorted order, hence the
-/// two tets at a face number its pieces alike, and nothing is hashed or matched. Threads share out chunks of parents whose places in
-/// the output are known before: the same bytes for any number of threads.
+/// The fast form of PlainSubdivision, equal to it to the bit. A cut goes in four steps: finding the parents (TetBoxes), giving each its
+/// place among the children, planning (numbers of points, links), writing the children (child_writer). One thread plans and writes a few
+/// parents at a time, several plan all and share out the writing. Original tets keep their numbers 0 .. n-1; children are numbered from n
+/// on, cut by cut, parent by parent, and stand in arrays of their own, so that a cut costs what it cuts and not what the body has. A
+/// child's neighbour is read from tables: vertices of each tet are taken in sorted order, hence the two tets at a face number its pieces
+/// alike, and nothing is hashed or matched. Threads share out chunks of parents whose places in the output are known before: the same
+/// bytes for any number of threads.
 class SubdivisionEngine {
 public:
     /// Set-up: sorts, numbers and links; costs more than many cuts. The mesh must have passed mesh::check.
@@ -82,20 +83,24 @@ private:
     struct State {
         int cut = -1;             ///< the cut that divided it, -1: whole
         int first_half_face = 0;  ///< of its children
-        int place = 0;            ///< in plans_, of that cut
+        int place = 0;            ///< among the parents of that cut, from 1 on
         unsigned layout = 0;      ///< how it is divided: 2 * sign pattern + odd
     };
     const State& state(int tet) const { return states_[static_cast<std::size_t>(tet) + 1]; }
     void find_parents(const Cut& cut, const CuttingPlane& plane, const Among& among);
-    void find_near_together(const Cut& cut, const CuttingPlane& plane, const Among& among);
-    void find_in_box(std::size_t box, const Cut& cut, const CuttingPlane& plane, const Among& among, Buffer<std::uint64_t>& found) const;
+    void find_together(const Cut& cut, const CuttingPlane& plane, const Among& among);
+    void find_in_boxes(std::size_t first, std::size_t last, const Cut& cut, const CuttingPlane& plane, const Among& among,
+                       Buffer<std::uint64_t>& found) const;
     bool passes_disc(const Cut& cut, const CuttingPlane& plane, int tet) const;
-    void plan_parents();
-    void join_earlier_base(const State& there, ParentPlan& plan);
-    void make_room(std::size_t children, std::size_t points);
+    void place_parents();
     struct Planner;
-    void write_all_parents(const CuttingPlane& plane);
-    void write_parents(const CuttingPlane& plane, std::size_t chunk, Buffer<LooseFace>& loose);
+    Planner planner();
+    void divide_parents(const CuttingPlane& plane);
+    void divide_alone(const CuttingPlane& plane);
+    void divide_together(const CuttingPlane& plane);
+    void plan_parents(std::size_t first, std::size_t last, Planner& planner);
+    void join_earlier_base(const State& there, ParentPlan& plan);
+    void write_parents(const ParentPlan* first, const ParentPlan* last, const CuttingPlane& plane, Buffer<LooseFace>& loose);
     class Renumbering;
     void append_whole(int tet, const Renumbering& renumbering, Subdivided& out) const;
     void append_child(std::size_t child, const Renumbering& renumbering, Subdivided& out) const;
@@ -111,14 +116,15 @@ private:
     mesh::TetMesh original_;
     Options options_;
     LargeVector<State> states_;      ///< the first belongs to no tet, then per tet: see state()
-    LargeVector<int> edge_point_;    ///< per edge: the number of its last cut point; one of an earlier cut is below first_point_
-    Buffer<std::uint64_t> found_;    ///< parents of the current cut: 16 * tet + sign pattern, ascending
-    Buffer<ParentPlan> plans_;       ///< of the current cut; the first belongs to no parent
+    LargeVector<int> edge_point_;    ///< per edge: its last cut point; below the first one of the current cut: an earlier cut's
+    Buffer<std::uint32_t> near_;     ///< boxes that the current cut may pass
+    Buffer<std::uint64_t> found_;    ///< parents of the current cut: 32 * tet + layout, ascending
+    Buffer<ParentPlan> plans_;       ///< of the parents that are divided at a time
+    Buffer<std::array<int, 4>> face_points_;  ///< per parent of the current cut, by place: ParentPlan::face_point
     Buffer<int> parents_;            ///< of all cuts
     Buffer<LooseFace> loose_;        ///< of all cuts
     std::size_t first_parent_ = 0;   ///< of the current cut
     int first_new_child_ = 0;        ///< of the current cut
-    int first_point_ = 0;            ///< of the current cut
     std::vector<Buffer<LooseFace>> chunk_loose_;      ///< per chunk of parents, where several threads write
     std::vector<Buffer<std::uint64_t>> chunk_found_;  ///< per chunk of boxes, where several threads search
     Workers workers_;

@@ -43,10 +43,11 @@ public:
     }
 
     void add(int tet) {
-        const auto& sorted = mesh_.records[tet].sorted;
+        const CanonicalMesh::Record& record = mesh_.records[tet];
+        const auto& sorted = record.sorted;
         const auto fresh = std::count_if(sorted.begin(), sorted.end(), [&](int v) { return known_[v].box != box(); });
         if (tets_ == most || vertices_.size() + static_cast<std::size_t>(fresh) > most) close();
-        Item item{tet, {}};
+        Item item{2 * static_cast<unsigned>(tet) + record.odd, {}};
         std::uint64_t members = 0;
         for (int k = 0; k < 4; ++k) {
             item.corner[k] = number_of(sorted[k]);
@@ -70,7 +71,7 @@ public:
             boxes_.corners_.push_back({four.x, four.y, four.z});
         }
         while (boxes_.items_.size() % 4 != 0) {
-            boxes_.items_.push_back({-1, {}});
+            boxes_.items_.push_back({});
             boxes_.members_.push_back(0);
         }
         boxes_.spans_.push_back({boxes_.corners_.size(), boxes_.items_.size()});

@@ -27,8 +27,16 @@ public:
         if (!levels_.empty()) descend(cut, levels_.size() - 1, 0, levels_.back().size(), visit);
     }
 
-    /// Calls visit(tet, plus_mask) for each tet of the box with vertices on both sides of the plane (d >= 0 is '+'); bit i of the mask
-    /// belongs to sorted vertex i.
+    /// Asks the memory for what visit_box will read of a box: along the curve, boxes near a plane stand anywhere.
+    void prefetch(std::size_t box) const {
+        const Span &first = spans_[box], &last = spans_[box + 1];
+        prefetch(&corners_[first.corner], &corners_[last.corner - 1] + 1);
+        prefetch(&members_[first.tet], &members_[last.tet - 1] + 1);
+        prefetch(&items_[first.tet], &items_[last.tet - 1] + 1);
+    }
+
+    /// Calls visit(tet, number) for each tet of the box with vertices on both sides of the plane (d >= 0 is '+'). The number is that of
+    /// piece_tables(): 2 * plus_mask + odd, bit i of the mask belonging to sorted vertex i.
     template <class Visit>
     void visit_box(std::size_t box, const CuttingPlane& plane, const Visit& visit) const {
         const Span& first = spans_[box];
@@ -48,7 +56,7 @@ public:
                 const Item& item = items_[i + static_cast<std::size_t>(std::countr_zero(divided))];
                 unsigned mask = 0;
                 for (int k = 0; k < 4; ++k) mask |= static_cast<unsigned>(plus >> item.corner[k] & 1U) << k;
-                visit(item.tet, mask);
+                visit(static_cast<int>(item.twice_tet >> 1), 2 * mask + (item.twice_tet & 1U));
             }
         }
     }
@@ -59,7 +67,7 @@ private:
         bool touches(const Cut& cut) const;
     };
     struct Item {
-        int tet;
+        unsigned twice_tet;                  ///< 2 * tet + odd
         std::array<std::uint8_t, 4> corner;  ///< its sorted vertices, as numbers in the box
     };
     struct FourCorners {
@@ -71,6 +79,14 @@ private:
         std::size_t tet;     ///< in items_ and members_, a multiple of four
     };
     class Filler;
+
+    static void prefetch(const void* first, const void* last) {
+        constexpr std::uintptr_t line = 64;
+        const auto end = reinterpret_cast<std::uintptr_t>(last);
+        for (auto at = reinterpret_cast<std::uintptr_t>(first) & ~(line - 1); at < end; at += line) {
+            __builtin_prefetch(reinterpret_cast<const void*>(at));
+        }
+    }
 
     template <class Visit>
     void descend(const Cut& cut, std::size_t level, std::size_t first, std::size_t last, const Visit& visit) const {

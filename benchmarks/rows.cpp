@@ -10,6 +10,7 @@ void register_all(Level level, bool count_instructions) {
     register_particles(level, bodies);
     register_equilibrium(level);
     register_stress_analysis();
+    register_memory(level, bodies);
     if (count_instructions) register_instructions(bodies);
 }
 

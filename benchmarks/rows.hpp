@@ -20,6 +20,8 @@ void register_fragments(Level level, Bodies& bodies);
 void register_particles(Level level, Bodies& bodies);
 /// equilibrium/...: time to accuracy of the particles and of finite elements.
 void register_equilibrium(Level level);
+/// memory/...: peak memory per particle.
+void register_memory(Level level, Bodies& bodies);
 /// stress_analysis/...: what one contact costs, from the load to the cracks.
 void register_stress_analysis();
 

@@ -2,10 +2,10 @@
 
 #include "solver/mesh/tet_mesh.hpp"
 #include "solver/subdivision/cut.hpp"
+#include "solver/subdivision/huge_pages.hpp"
 
 #include <array>
 #include <string>
-#include <vector>
 
 namespace cleave::benchmarks {
 
@@ -28,7 +28,8 @@ SubdivisionCase cube_case(int cells);
 subdivision::Cut fixed_disc_in(int cells);
 
 /// What a subdivision of this size writes, and nothing else: connectivity (16 bytes a child), links (16), centroid (24), volume
-/// (8), parent (4), child by child as a subdivision does, and 24 bytes a new point. The floor under every subdivision on this machine.
+/// (8), parent (4), child by child as a subdivision does, and 24 bytes a new point, into arrays on huge pages as the engine's. The floor
+/// under every subdivision on this machine.
 class PureStores {
 public:
     PureStores(int children, int points);
@@ -37,10 +38,10 @@ public:
     std::size_t bytes() const;
 
 private:
-    std::vector<std::array<int, 4>> tets_, links_;
-    std::vector<std::array<double, 3>> centroids_, points_;
-    std::vector<double> volumes_;
-    std::vector<int> parents_;
+    subdivision::LargeVector<std::array<int, 4>> tets_, links_;
+    subdivision::LargeVector<std::array<double, 3>> centroids_, points_;
+    subdivision::LargeVector<double> volumes_;
+    subdivision::LargeVector<int> parents_;
     int turn_ = 0;
 };
 

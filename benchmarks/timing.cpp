@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace cleave::benchmarks {
 
@@ -40,18 +41,46 @@ double relative_noise(std::vector<double> values) {
     return 0.5 * quartiles / std::sqrt(static_cast<double>(values.size())) / middle;
 }
 
-PairedTimes paired_times(const std::function<void()>& first, const std::function<void()>& second, int passes,
-                         const std::function<void()>& prepare, double (*clock)(const std::function<void()>&)) {
+namespace {
+
+/// Medians of passes, each of which gives the times of both contestants.
+PairedTimes medians(const std::function<std::pair<double, double>()>& pass, int passes) {
     std::vector<double> firsts, seconds, ratios;
-    for (int pass = 0; pass <= passes; ++pass) {
-        prepare();
-        const double a = clock(first), b = clock(second);
-        if (pass == 0) continue;
+    pass();  // dropped
+    for (int i = 0; i < passes; ++i) {
+        const auto [a, b] = pass();
         firsts.push_back(a);
         seconds.push_back(b);
         ratios.push_back(a / b);
     }
     return {median(firsts), median(seconds), median(ratios), relative_noise(ratios)};
+}
+
+double warm_seconds_of(const Contestant& contestant) {
+    contestant.prepare();
+    contestant.work();
+    contestant.prepare();
+    return seconds_of(contestant.work);
+}
+
+}  // namespace
+
+PairedTimes paired_times(const std::function<void()>& first, const std::function<void()>& second, int passes,
+                         const std::function<void()>& prepare, double (*clock)(const std::function<void()>&)) {
+    const auto pass = [&] {
+        prepare();
+        const double a = clock(first), b = clock(second);
+        return std::pair(a, b);
+    };
+    return medians(pass, passes);
+}
+
+PairedTimes warm_paired_times(const Contestant& first, const Contestant& second, int passes) {
+    const auto pass = [&] {
+        const double a = warm_seconds_of(first), b = warm_seconds_of(second);
+        return std::pair(a, b);
+    };
+    return medians(pass, passes);
 }
 
 }  // namespace cleave::benchmarks

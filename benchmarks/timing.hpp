@@ -29,4 +29,13 @@ struct PairedTimes {
 PairedTimes paired_times(const std::function<void()>& first, const std::function<void()>& second, int passes,
                          const std::function<void()>& prepare = [] {}, double (*clock)(const std::function<void()>&) = seconds_of);
 
+/// What is timed, and what makes it possible once more (outside the time).
+struct Contestant {
+    std::function<void()> work;
+    std::function<void()> prepare = [] {};
+};
+/// The same where each contestant runs untimed right before it is timed, both alike: the caches hold what they can of its own data, and
+/// not what the other one left there.
+PairedTimes warm_paired_times(const Contestant& first, const Contestant& second, int passes);
+
 }  // namespace cleave::benchmarks

@@ -51,7 +51,8 @@ TEST_F(Program, EveryBenchmarkRunsOnceAndCountsItsWork) {
                                    "subdivision/disc/cube_83k", "subdivision/setup/pot", "subdivision/cold/pot",
                                    "subdivision/two_threads/cube_83k", "table2/pots", "table2/glass", "table2/complexity", "fragments/adaptive/cube_945k",
                                    "fragments/basic/cube_83k", "stress_analysis/isotropic", "stress_analysis/anisotropic", "neighbours/cube_83k",
-                                   "neighbours/unsorted/cube_6k", "gradient/cube_83k", "equilibrium/conforming", "equilibrium/fem_p2"}) {
+                                   "neighbours/unsorted/cube_6k", "memory/subdivision/cube_83k",
+                                   "memory/fragments/cube_83k", "memory/strain/cube_83k", "gradient/cube_83k", "equilibrium/conforming", "equilibrium/fem_p2"}) {
         const bool found = std::any_of(names.begin(), names.end(), [&](const std::string& full) { return full.starts_with(name); });
         EXPECT_TRUE(found) << name;
     }

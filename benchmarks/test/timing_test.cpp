@@ -21,5 +21,11 @@ TEST(Timing, PairsTakeTurnsAndTheFirstPassIsDropped) {
     EXPECT_GE(times.ratio, 0);
 }
 
+TEST(Timing, WarmPairsRunOnceUntimedRightBefore) {
+    std::string turns;
+    warm_paired_times({[&] { turns += 'a'; }, [&] { turns += '-'; }}, {[&] { turns += 'b'; }, [&] { turns += '='; }}, 2);
+    EXPECT_EQ(turns, "-a-a=b=b-a-a=b=b-a-a=b=b");
+}
+
 }  // namespace
 }  // namespace cleave::benchmarks

@@ -38,11 +38,11 @@ Point times(const Voigt& s, const Point& v) {
     return result;
 }
 
-/// (q.grad) of a field, by a central difference.
-Point change_along(const VectorField& field, const Point& x, const Point& q) {
+/// (q.grad) of a field, by a central difference over 1e-5 of `size` (m), the body's, which may be a nanometre's.
+Point change_along(const VectorField& field, const Point& x, const Point& q, double size) {
     const double length = norm(q);
     if (length == 0) return {};
-    const double step = 1e-5 / length * std::max({1e-3, std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
+    const double step = 1e-5 / length * std::max({size, std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
     return 1 / (2 * step) * (field(x + step * q) - field(x - step * q));
 }
 
@@ -50,11 +50,18 @@ Point change_along(const VectorField& field, const Point& x, const Point& q) {
 class LinearGrowth {
 public:
     explicit LinearGrowth(const CrackGrowth& crack) : cells_(crack.solution.cells()), vertices_(crack.solution.vertices()) {
-        for (const Point& x : vertices_) values_.push_back(crack.growth(x));
+        Point low = vertices_.front(), high = low;
+        for (const Point& x : vertices_) {
+            values_.push_back(crack.growth(x));
+            for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], x[i]), high[i] = std::max(high[i], x[i]);
+        }
+        size_ = norm(high - low);
         for (std::size_t cell = 0; cell < cells_.size(); ++cell)
             if (!vanishes(static_cast<int>(cell))) active_.push_back(static_cast<int>(cell));
     }
 
+    /// Diagonal of the box around the body, m.
+    double size() const { return size_; }
     /// Cells where it is not zero.
     const std::vector<int>& active() const { return active_; }
     bool vanishes(int cell) const {
@@ -90,6 +97,7 @@ private:
     std::vector<std::array<int, 4>> cells_;
     std::vector<Point> vertices_, values_;
     std::vector<int> active_;
+    double size_ = 0;
 };
 
 void put_gradient(const CrackGrowth& crack, FieldSample& sample) {
@@ -146,7 +154,7 @@ void for_each_load_rate(const CrackGrowth& crack, const LinearGrowth& growth, co
         for_each_surface_sample(crack, growth, load.surface, [&](const SurfaceSample& s, const Tensor& slope, const Point& q) {
             const Point spread = area_rate(slope, s.normal);
             const Point grown = load.value ? dot(s.normal, spread) * load.value(s.position) : times(load.stress(s.position), spread);
-            add(load.surface, s, grown + change_along(traction_field(load, s.normal), s.position, q));
+            add(load.surface, s, grown + change_along(traction_field(load, s.normal), s.position, q, growth.size()));
         });
     for (const Pressure& load : crack.problem.pressures)
         for_each_surface_sample(crack, growth, load.surface,
@@ -154,8 +162,8 @@ void for_each_load_rate(const CrackGrowth& crack, const LinearGrowth& growth, co
 }
 
 /// The same of the body force, over dV.
-Point body_force_rate(const VectorField& force, const Point& x, const Tensor& slope, const Point& q) {
-    return trace(slope) * force(x) + change_along(force, x, q);
+Point body_force_rate(const VectorField& force, const Point& x, const Tensor& slope, const Point& q, double size) {
+    return trace(slope) * force(x) + change_along(force, x, q, size);
 }
 
 /// Where the auxiliary fields are taken for a place of a surface: on the lips, which part them, on the side that the normal tells. Faces of
@@ -207,7 +215,7 @@ double energy_release_by_domain(const CrackGrowth& crack) {
     for_each_load_rate(crack, growth, [&](int, const SurfaceSample& s, const Point& rate) { sum += s.weight * dot(s.displacement, rate); });
     for_each_cell_sample(crack, growth, [&](const FieldSample& s, const Tensor& slope, const Point& q) {
         double density = turned_product(s.stress, s.gradient, slope) - 0.5 * full_product(s.stress, s.gradient) * trace(slope);
-        if (force) density += dot(s.displacement, body_force_rate(force, s.position, slope, q));
+        if (force) density += dot(s.displacement, body_force_rate(force, s.position, slope, q, growth.size()));
         sum += s.weight * density;
     });
     return sum / crack_width(crack);
@@ -219,7 +227,7 @@ FrontIntensities intensities_by_interaction(const CrackGrowth& crack, const Auxi
     Intensities sum{};
     for_each_cell_sample(crack, growth, [&](const FieldSample& s, const Tensor& slope, const Point& q) {
         const AuxiliaryField::State v = field.at(s.position, true);
-        const Point along = times(s.gradient, q), loaded = force ? body_force_rate(force, s.position, slope, q) : Point{};
+        const Point along = times(s.gradient, q), loaded = force ? body_force_rate(force, s.position, slope, q, growth.size()) : Point{};
         const auto displacement = force ? field.displacement(s.position) : std::array<Point, 3>{};
         for (int mode = 0; mode < 3; ++mode) {
             const double density = turned_product(s.stress, v.gradient[mode], slope) + turned_product(v.stress[mode], s.gradient, slope) -

@@ -127,9 +127,9 @@ TEST(PrincipalStress, IsThatOfATurnedUniaxialState) {
 }
 
 /// A box of bricks with a crack in z = 0, its lips the surface 7: `in_crack(x, margin)` holds for the nodes inside it (margin < 0), or those and
-/// its front (margin > 0). Vertices moved by step times the growth.
+/// its front (margin > 0). Vertices moved by step times the growth, then all lengths times `unit`.
 std::string cracked_box(const std::string& name, const testing::Box& box, const std::function<bool(const Point&, double margin)>& in_crack,
-                        const VectorField& growth = {}, double step = 0) {
+                        const VectorField& growth = {}, double step = 0, double unit = 1) {
     testing::MshText mesh = testing::box_mesh(box);
     const auto place = [&](int node) { return mesh.nodes[static_cast<std::size_t>(node)]; };
     const auto on_crack = [&](int node, double margin) { return std::abs(place(node)[2]) < 1e-9 && in_crack(place(node), margin); };
@@ -161,13 +161,14 @@ std::string cracked_box(const std::string& name, const testing::Box& box, const 
     }
     if (growth)
         for (Point& x : mesh.nodes) x = x + step * growth(x);
+    for (Point& x : mesh.nodes) x = unit * x;
     return testing::write_temporary(name, mesh.version_2());
 }
 
 /// A cube of 4^3 bricks, |x|, |y|, |z| <= 1, with a crack, the square |x|, |y| <= 1/2 at z = 0 less two corners.
-std::string cracked_cube(const std::string& name, const VectorField& growth, double step) {
+std::string cracked_cube(const std::string& name, const VectorField& growth, double step, double unit = 1) {
     const auto square = [](const Point& x, double margin) { return std::abs(x[0]) < 0.5 + margin && std::abs(x[1]) < 0.5 + margin; };
-    return cracked_box(name, {.low = {-1, -1, -1}, .high = {1, 1, 1}, .counts = {4, 4, 4}, .distortion = 0}, square, growth, step);
+    return cracked_box(name, {.low = {-1, -1, -1}, .high = {1, 1, 1}, .counts = {4, 4, 4}, .distortion = 0}, square, growth, step, unit);
 }
 
 /// Tangential to the lips, zero on the sides.
@@ -176,15 +177,15 @@ Point growth_of_cube(const Point& x) {
     return {share * (0.5 + x[0]), share * (x[1] - 0.2), 0};
 }
 
-/// Triclinic, pulled and sheared, under pressure on the lips and a body force that varies.
-Problem loaded_cube(const std::string& mesh) {
+/// Triclinic, pulled and sheared, under pressure on the lips and a body force that varies; lengths times `unit`, stresses as they were.
+Problem loaded_cube(const std::string& mesh, double unit = 1) {
     Problem problem;
     problem.mesh_file = mesh;
     problem.regions = {{1, triclinic()}};
     problem.pressures = {{7, 40e6}};
-    problem.body_force = [](const Point& x) { return Point{1e9 * x[1], 6e8, 2e9 * x[0] - 5e8 * x[2]}; };
+    problem.body_force = [unit](const Point& x) { return 1 / (unit * unit) * Point{1e9 * x[1], 6e8 * unit, 2e9 * x[0] - 5e8 * x[2]}; };
     problem.displacements = {{5, {true, true, true}, [](const Point&) { return Point{0, 0, 0}; }},
-                             {6, {true, true, true}, [](const Point& x) { return Point{1e-3, 2e-4 * x[0], 3e-3}; }}};
+                             {6, {true, true, true}, [unit](const Point& x) { return Point{1e-3 * unit, 2e-4 * x[0], 3e-3 * unit}; }}};
     return problem;
 }
 
@@ -207,6 +208,18 @@ TEST(CrackIntegrals, DomainIntegralIsTheDerivativeByMovedVertices) {
     without_force.body_force = {};
     EXPECT_GT(std::abs(energy_release_by_domain({without_pressure, solution, growth_of_cube, 7}) / by_movement - 1), 1e-3);
     EXPECT_GT(std::abs(energy_release_by_domain({without_force, solution, growth_of_cube, 7}) / by_movement - 1), 1e-3);
+}
+
+// A crack of a nanometre releases a 10^-9th of the energy per area. The body force varies in space: its share takes a difference over a
+// length, which must be the body's.
+TEST(CrackIntegrals, TheUnitOfLengthDoesNotMatter) {
+    const auto release = [](double unit) {
+        const Problem problem = loaded_cube(cracked_cube("crack_cube_of_unit.msh", {}, 0, unit), unit);
+        const Solution solution = solve(problem);
+        return energy_release_by_domain({problem, solution, [unit](const Point& x) { return growth_of_cube(1 / unit * x); }, 7}) / unit;
+    };
+    const double one = release(1);
+    for (const double unit : {1e-9, 1e-6, 1e3}) EXPECT_NEAR(release(unit) / one, 1, 1e-9) << unit;
 }
 
 TEST(CrackIntegrals, GrowthThatAddsNoAreaIsAnError) {

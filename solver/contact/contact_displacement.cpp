@@ -1,6 +1,7 @@
 #include "solver/contact/contact_displacement.hpp"
 
 #include "solver/input/input_error.hpp"
+#include "solver/particles/nearest.hpp"
 
 #include <Eigen/Geometry>
 
@@ -65,21 +66,14 @@ std::vector<LoadedFace> loaded_faces(const mesh::TetMesh& mesh, const ContactLoa
         for (LoadedFace& face : all) face.share /= sum;
         return all;
     }
-    const auto distance = [&](const LoadedFace& face) { return (face.centroid - load.point).squaredNorm(); };
-    LoadedFace nearest = *std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    const auto nearer = [&](const LoadedFace& a, const LoadedFace& b) { return particles::is_nearer(load.point, a.centroid, b.centroid); };
+    LoadedFace nearest = *std::min_element(all.begin(), all.end(), nearer);
     nearest.share = 1;
     return {nearest};
 }
 
-int nearest_particle(const particles::Particles& particles, const Eigen::Vector3d& point) {
-    int nearest = 0;
-    for (int i = 1; i < particles.size(); ++i)
-        if ((particles.position[i] - point).squaredNorm() < (particles.position[nearest] - point).squaredNorm()) nearest = i;
-    return nearest;
-}
-
 ParticleDisplacement half_space_displacement(const ContactBody& body, const ContactLoad& load, const HalfSpaceOptions& options) {
-    const int region = body.particles.region[nearest_particle(body.particles, load.point)];
+    const int region = body.particles.region[particles::nearest_place(body.particles.position, load.point)];
     const auto stiffness = body.stiffness.find(region);
     if (stiffness == body.stiffness.end()) throw std::invalid_argument("a stiffness for region " + std::to_string(region));
     return [field = half_space_field(stiffness->second, load, options), &particles = body.particles](std::span<const int> ids,

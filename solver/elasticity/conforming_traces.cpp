@@ -5,10 +5,12 @@
 #include "solver/particles/smoothing_tensor.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace cleave::elasticity {
 
@@ -16,6 +18,9 @@ namespace {
 
 /// Directions with less of the scatter matrix than this part of its largest eigenvalue are not spanned.
 constexpr double spanned = 1e-12;
+/// Fits nearer to each other, or to a limit of the rule, than this part count as equal. On a lattice they are: two layers extrapolate with
+/// |2| + |-1| = 3, the limit itself, and which fit is taken must not hang on rounding, nor by it on the particles' numbers.
+constexpr double alike = 1e-9;
 
 /// The spiky kernel's shape (Eq. 4); its factor cancels in a fit.
 double bell(double q) { return q < 1 ? (1 - q) * (1 - q) * (1 - q) : 0; }
@@ -86,6 +91,7 @@ Weighed weigh(const particles::Particles& particles, const Eigen::Vector3d& x, c
 /// What every fit of a body shares.
 struct Scene {
     const particles::Particles& particles;
+    const mesh::TetMesh& mesh;
     const FaceSet& faces;
     const std::vector<int>& material;
     const TraceRule& rule;
@@ -113,6 +119,20 @@ Eigen::Matrix3d fit_tensor(const Scene& scene, const Face& face) {
     const int i = face.inside, j = face.is_boundary() ? i : face.outside;
     const double spacing = 0.5 * (scene.particles.spacing[i] + scene.particles.spacing[j]);
     return 0.5 * (unit(i) + unit(j)) / (scene.rule.support_ratio * spacing);
+}
+
+/// Kernel of the shape of the tets beside the face, as large as fit_tensor: what finds neighbours all round among cells far longer than wide.
+Eigen::Matrix3d cell_tensor(const Scene& scene, const Face& face) {
+    Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+    for (const int tet : {face.inside, face.is_boundary() ? face.inside : face.outside})
+        for (const int vertex : scene.mesh.tets[tet]) {
+            const Eigen::Vector3d r = scene.mesh.vertices[vertex] - mesh::tet_centroid(scene.mesh, tet);
+            moment += r * r.transpose();
+        }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(moment);
+    const Eigen::Vector3d axes = eigen.eigenvalues().cwiseMax(spanned * eigen.eigenvalues()(2)).cwiseSqrt();
+    const double size = std::cbrt(fit_tensor(scene, face).determinant() * axes.prod());
+    return size * eigen.eigenvectors() * axes.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
 }
 
 /// Particles in the support that the face sees, from the side of the particle `side` where the face is a wall.
@@ -153,21 +173,39 @@ Fit own_particle(const Scene& scene, const Place& place) {
     return {place.face, place.share, tensor / (2 * std::max(q, 1.0)), {place.side}};
 }
 
-Chosen choose_fit(const Scene& scene, const Place& place) {
-    const Face& face = scene.faces.faces[place.face];
-    Fit fit{place.face, place.share, fit_tensor(scene, face), {}}, best = own_particle(scene, place);
-    double best_sum = std::numeric_limits<double>::infinity(), best_moment = 0;
+/// The best fit found so far that does not satisfy the rule.
+struct BestFit {
+    Fit fit;
+    double sum = std::numeric_limits<double>::infinity(), moment = 0;
+
+    /// A fit that spans space beats one that does not; among those that do, the smaller sum.
+    void offer(const Fit& other, double other_moment, double other_sum) {
+        if (other_moment < spanned) other_moment = 0;
+        const bool less = other_moment < (1 - alike) * moment, more = other_moment > (1 + alike) * moment;
+        if (other.seen.empty() || less || (!more && !(other_sum < (1 - alike) * sum))) return;
+        fit = other, moment = other_moment, sum = other_sum;
+    }
+};
+
+/// Lets the kernel `tensor` grow until the rule is satisfied; none where no size does, which leaves the best in `best`.
+std::optional<Chosen> grown_fit(const Scene& scene, const Place& place, const Eigen::Matrix3d& tensor, BestFit& best) {
+    Fit fit{place.face, place.share, tensor, {}};
     for (int round = 0; round <= scene.rule.rounds; ++round, fit.tensor /= scene.rule.growth) {
         fit.seen = seen_particles(scene, place.face, place.side, fit.tensor);
-        const Weighed weighed = weigh(scene.particles, face.centroid, fit.tensor, fit.seen, scene.rule.order);
-        const bool spans = weighed.least_moment >= scene.rule.least_moment;
-        if (spans && weighed.sum <= scene.rule.most_weight) return {std::move(fit), round == 0 ? Outcome::as_is : Outcome::grown};
-        // A fit that spans space beats one that does not; among those that do, the smaller sum.
-        const double moment = spans ? 1 : weighed.least_moment;
-        if (fit.seen.empty() || moment < best_moment || (moment == best_moment && weighed.sum >= best_sum)) continue;
-        best = fit, best_moment = moment, best_sum = weighed.sum;
+        const Weighed weighed = weigh(scene.particles, scene.faces.faces[place.face].centroid, fit.tensor, fit.seen, scene.rule.order);
+        const bool spans = weighed.least_moment >= (1 - alike) * scene.rule.least_moment;
+        if (spans && weighed.sum <= (1 + alike) * scene.rule.most_weight) return Chosen{std::move(fit), round == 0 ? Outcome::as_is : Outcome::grown};
+        best.offer(fit, spans ? 1 : weighed.least_moment, weighed.sum);
     }
-    return {std::move(best), Outcome::best_tried};
+    return std::nullopt;
+}
+
+Chosen choose_fit(const Scene& scene, const Place& place) {
+    const Face& face = scene.faces.faces[place.face];
+    BestFit best{own_particle(scene, place)};
+    if (auto fit = grown_fit(scene, place, fit_tensor(scene, face), best)) return std::move(*fit);
+    if (auto fit = grown_fit(scene, place, cell_tensor(scene, face), best)) return {std::move(fit->fit), Outcome::grown};
+    return {std::move(best.fit), Outcome::best_tried};
 }
 
 /// One fit per face, or one from either side of an interface.
@@ -202,7 +240,7 @@ void transpose(TraceWeights& weights, int particles) {
 TraceStencils choose_stencils(const particles::Particles& particles, const FaceSet& faces, const mesh::TetMesh& mesh,
                               const std::vector<int>& material, const TraceRule& rule) {
     const std::vector<char> opaque = opaque_faces(faces, material, rule);
-    const Scene scene{particles, faces, material, rule, opaque, Walls(mesh, faces, opaque), BoxTree(point_boxes(particles))};
+    const Scene scene{particles, mesh, faces, material, rule, opaque, Walls(mesh, faces, opaque), BoxTree(point_boxes(particles))};
     const std::vector<Place> places = list_places(scene);
     TraceStencils stencils{std::vector<Fit>(places.size()), rule.order, {faces.size(), 0, 0}};
     std::vector<Outcome> outcome(places.size());

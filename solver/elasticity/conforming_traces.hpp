@@ -22,7 +22,7 @@ struct TraceRule {
 
 struct TraceReport {
     int faces = 0;
-    int grown = 0;       ///< fits whose support was enlarged, which satisfies the rule
+    int grown = 0;       ///< fits whose support was enlarged or shaped like the cells, which satisfies the rule
     int best_tried = 0;  ///< fits that no support satisfies (a piece of fewer than four particles): the smallest sum |phi| tried
 };
 
@@ -42,7 +42,8 @@ struct TraceStencils {
 
 /// Chooses the particles of every fit: those in the support that the face's centroid sees. A particle is seen where the straight
 /// segment to it crosses no wall: no boundary face (outer surface or lip of a crack) and no interface between materials. From a face
-/// that is a wall itself, only the side of its own particle counts. The support grows until the rule is satisfied.
+/// that is a wall itself, only the side of its own particle counts. The support grows until the rule is satisfied; where no size does, one
+/// of the shape of the tets beside the face grows likewise.
 TraceStencils choose_stencils(const particles::Particles& particles, const FaceSet& faces, const mesh::TetMesh& mesh,
                               const std::vector<int>& material, const TraceRule& rule = {});
 

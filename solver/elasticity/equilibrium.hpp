@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 namespace cleave::elasticity {
@@ -93,9 +94,14 @@ struct EquilibriumSolution {
     EquilibriumReport report;
 };
 
+/// Rounding rules: a stiffness or a mesh of so bad a condition that the iteration does not reach its tolerance. what() is one line.
+struct NotConverged : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// Equilibrium of the `conforming` particles under dead loads. Throws std::invalid_argument, one line: a region without stiffness, a
 /// surface id on no boundary face, a component prescribed twice, a piece of the body that nothing holds (and free_body not set),
-/// free_body beside prescribed displacements. Throws std::runtime_error where the iteration does not reach the tolerance.
+/// free_body beside prescribed displacements. Throws NotConverged where the iteration does not reach the tolerance.
 EquilibriumSolution solve_equilibrium(const EquilibriumProblem& problem, const EquilibriumOptions& options = {});
 
 /// |f - K u| / |f| of a given displacement (m per particle, not a solved one): what the discrete balance makes of a known field. Zero to

@@ -37,9 +37,9 @@ std::vector<std::string> strain_operator_names() {
 }
 
 StrainOperator make_strain_operator(const std::string& name, const particles::Particles& particles,
-                                    const particles::Neighbourhood& neighbourhood) {
+                                    particles::Neighbourhood neighbourhood) {
     const NamedOperator& entry = find(name);
-    StrainOperator op{name, neighbourhood.lists, {}, {particles.size(), neighbourhood.report.raised, neighbourhood.report.still_poor, 0}};
+    StrainOperator op{name, std::move(neighbourhood.lists), {}, {particles.size(), neighbourhood.report.raised, neighbourhood.report.still_poor, 0}};
     op.weight.resize(op.neighbours.index.size());
     for (int i = 0; i < particles.size(); ++i) {
         const std::size_t first = op.neighbours.offset[i];

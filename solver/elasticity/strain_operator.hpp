@@ -44,9 +44,9 @@ std::vector<std::string> strain_operator_names();
 ///   quadratic  moving least squares of order 2 through u_i, with the weights that `corrected` implies (quadratic.cpp): exact for
 ///              quadratic fields too. Falls back to `corrected` where the neighbours do not determine the nine derivatives.
 ///
-/// Throws InputError for an unknown name.
+/// Takes the lists over: of millions of particles they are gigabytes. Throws InputError for an unknown name.
 StrainOperator make_strain_operator(const std::string& name, const particles::Particles& particles,
-                                    const particles::Neighbourhood& neighbourhood);
+                                    particles::Neighbourhood neighbourhood);
 
 /// (grad u)_i of one particle, from the displacements (m) of all.
 Eigen::Matrix3d displacement_gradient(const StrainOperator& op, int i, const std::vector<Eigen::Vector3d>& displacement);

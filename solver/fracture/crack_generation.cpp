@@ -2,6 +2,7 @@
 
 #include "solver/fracture/crack_tip.hpp"
 #include "solver/fracture/radii.hpp"
+#include "solver/particles/nearest.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -83,10 +84,7 @@ CrackGenerator::CrackGenerator(const Body& body)
 /// has none of the material.
 int CrackGenerator::nearest_particle(const Eigen::Vector3d& position, int material) const {
     const auto& x = body_.particles.position;
-    const auto nearer = [&](int a, int b) {
-        const double to_a = (x[a] - position).squaredNorm(), to_b = (x[b] - position).squaredNorm();
-        return to_a != to_b ? to_a < to_b : std::lexicographical_compare(x[a].data(), x[a].data() + 3, x[b].data(), x[b].data() + 3);
-    };
+    const auto nearer = [&](int a, int b) { return particles::is_nearer(position, x[a], x[b]); };
     const double farthest = 2 * (extent_ + (x.front() - position).norm());
     for (double radius = std::sqrt(reference_area_);; radius *= 2) {
         std::vector<int> inside = particles::neighbours_of_point(body_.particles, grid_, position, Eigen::Matrix3d::Identity() / radius);

@@ -1,5 +1,7 @@
 #include "solver/fracture/grouping.hpp"
 
+#include "solver/particles/nearest.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -18,20 +20,31 @@ namespace {
 using Order = std::vector<int>;  // places in `neighbours`, sorted
 using Sets = std::vector<std::vector<int>>;
 
-bool before(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+using particles::alike;
+
+/// Values in whole steps of `alike` times the largest: those that differ by rounding only are equal, in an order that sorts.
+std::vector<long long> in_steps(const std::vector<double>& values) {
+    double largest = 0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    std::vector<long long> steps;
+    for (const double value : values) steps.push_back(largest > 0 ? std::llround(value / (alike * largest)) : 0);
+    return steps;
 }
 
 /// The order that all sums and all ties go by: it does not know the particles' numbers.
 Order by_coordinates(const std::vector<Neighbour>& neighbours) {
+    std::vector<double> coordinates;
+    for (const Neighbour& neighbour : neighbours) coordinates.insert(coordinates.end(), neighbour.r.begin(), neighbour.r.end());
+    const std::vector<long long> steps = in_steps(coordinates);
+    const auto place = [&](int k) { return std::array{steps[3 * k], steps[3 * k + 1], steps[3 * k + 2]}; };
     Order order(neighbours.size());
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return before(neighbours[a].r, neighbours[b].r); });
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return place(a) < place(b); });
     return order;
 }
 
 /// `order` by ascending key, cut into sets whose counts differ by one at most.
-Sets cut_evenly(Order order, const std::vector<double>& key, int groups) {
+Sets cut_evenly(Order order, const std::vector<long long>& key, int groups) {
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return key[a] < key[b]; });
     Sets sets(groups);
     const std::size_t count = order.size();
@@ -58,32 +71,39 @@ Eigen::Vector3d widest_direction(const std::vector<Neighbour>& neighbours, const
         second += neighbours[k].volume * flat * flat.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(second);
+    if (solver.eigenvalues()(1) - solver.eigenvalues()(0) <= alike * solver.eigenvalues()(1)) return e1;  // alike all round
     const Eigen::Vector3d axis = solver.eigenvectors()(0, 1) * e1 + solver.eigenvectors()(1, 1) * e2;
-    double third = 0;
-    for (const int k : order) third += neighbours[k].volume * std::pow(neighbours[k].r.dot(axis), 3);
+    double third = 0, size = 0;
+    for (const int k : order) {
+        const double cube = neighbours[k].volume * std::pow(neighbours[k].r.dot(axis), 3);
+        third += cube, size += std::abs(cube);
+    }
+    if (std::abs(third) <= alike * size) third = std::abs(axis.dot(e1)) > alike ? axis.dot(e1) : axis.dot(e2);  // as far to both sides
     return third < 0 ? Eigen::Vector3d(-axis) : axis;
 }
 
 Eigen::Vector3d azimuth_zero(const std::vector<Neighbour>& neighbours, const Order& order, const PointFrame& frame) {
     const Eigen::Vector3d tangent = frame.tangent - frame.tangent.dot(frame.normal) * frame.normal;
-    return tangent.norm() > 1e-9 ? Eigen::Vector3d(tangent.normalized()) : widest_direction(neighbours, order, frame.normal);
+    return tangent.norm() > 1e-9 * frame.tangent.norm() ? Eigen::Vector3d(tangent.normalized()) : widest_direction(neighbours, order, frame.normal);
 }
 
-std::vector<double> azimuths(const std::vector<Neighbour>& neighbours, const Order& order, const PointFrame& frame, int groups) {
+/// In steps of `alike` of a turn: an azimuth at the very start of the first sector must not turn up at the end of the last by rounding.
+std::vector<long long> azimuths(const std::vector<Neighbour>& neighbours, const Order& order, const PointFrame& frame, int groups) {
     const double turn = 2 * std::numbers::pi;
+    const long long steps = std::llround(1 / alike);
     const Eigen::Vector3d zero = azimuth_zero(neighbours, order, frame), side = frame.normal.cross(zero);
-    std::vector<double> key;
+    std::vector<long long> key;
     for (const Neighbour& neighbour : neighbours) {
         const double from_start = std::atan2(neighbour.r.dot(side), neighbour.r.dot(zero)) + std::numbers::pi / groups;
-        key.push_back(from_start - turn * std::floor(from_start / turn));
+        key.push_back((std::llround(from_start / turn * static_cast<double>(steps)) % steps + steps) % steps);
     }
     return key;
 }
 
-std::vector<double> distances(const std::vector<Neighbour>& neighbours) {
+std::vector<long long> distances(const std::vector<Neighbour>& neighbours) {
     std::vector<double> key;
     for (const Neighbour& neighbour : neighbours) key.push_back(neighbour.r.norm());
-    return key;
+    return in_steps(key);
 }
 
 Eigen::Vector3d mean_place(const std::vector<Neighbour>& neighbours, const Order& order) {
@@ -106,7 +126,7 @@ std::vector<Eigen::Vector3d> far_seeds(const std::vector<Neighbour>& neighbours,
         for (const int k : order) {
             const double distance = (neighbours[k].r - last).squaredNorm();
             nearest[k] = seeds.empty() ? distance : std::min(nearest[k], distance);
-            if (nearest[k] > nearest[farthest]) farthest = k;
+            if (nearest[k] > (1 + alike) * nearest[farthest]) farthest = k;
         }
         if (!seeds.empty() && !(nearest[farthest] > 0)) break;
         if (seeds.empty()) std::fill(nearest.begin(), nearest.end(), std::numeric_limits<double>::infinity());
@@ -139,8 +159,9 @@ void assign_nearest(const Columns& places, const std::vector<Eigen::Vector3d>& c
         const double cx = centres[c][0], cy = centres[c][1], cz = centres[c][2], own = static_cast<double>(c);
         for (std::size_t k = 0; k < places.size(); ++k) {
             const double dx = x[k] - cx, dy = y[k] - cy, dz = z[k] - cz, distance = dx * dx + dy * dy + dz * dz;
-            number[k] = distance < best[k] ? own : number[k];
-            best[k] = distance < best[k] ? distance : best[k];
+            const bool nearer = distance < (1 - alike) * best[k];
+            number[k] = nearer ? own : number[k];
+            best[k] = nearer ? distance : best[k];
         }
     }
 }

@@ -30,7 +30,8 @@ struct PointFrame {
 ///   k_means   Lloyd's iteration on r, weighted by volume. Seeds: the neighbour farthest from the mean, then always the one farthest
 ///             from the seeds so far (Gonzalez 1985)
 ///
-/// Depends on the places only, to the bit, not on their order: neighbours are visited, and equal keys settled, by their coordinates.
+/// Depends on the places only, not on their order: neighbours are visited, and equal keys settled, by their coordinates. Lengths and angles
+/// that differ by less than 1e-9 are equal, so that rounding settles nothing.
 /// Throws std::invalid_argument where groups < 1.
 std::vector<std::vector<int>> divide(const std::vector<Neighbour>& neighbours, const PointFrame& frame, Grouping rule, int groups);
 

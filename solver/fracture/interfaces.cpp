@@ -1,5 +1,7 @@
 #include "solver/fracture/interfaces.hpp"
 
+#include "solver/particles/nearest.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -34,6 +36,28 @@ std::optional<Eigen::Vector3d> nearest_cut_point(const Corners& corner, const Ei
     return nearest_on_segment(end[0], end[1], centre);
 }
 
+/// A face that a crack meets on its way to another material, at the point nearest to the disc's centre.
+struct Meeting {
+    Eigen::Vector3d position, normal;
+    double distance, size;  ///< m, from the centre; of the face
+};
+
+/// Of all meetings the nearest, of equally near ones the one of least coordinates; its normal the mean of the faces that meet the crack in
+/// that very point, since a crack comes first to an edge of a bent interface as a rule. Not a word about the faces' numbers.
+Meeting nearest_of(const std::vector<Meeting>& meetings) {
+    const auto nearer = [](const Meeting& a, const Meeting& b) { return a.distance < b.distance; };
+    const Meeting& least = *std::min_element(meetings.begin(), meetings.end(), nearer);
+    const double rounding = particles::alike * std::max(least.distance, least.size);
+    Meeting result = least;
+    for (const Meeting& one : meetings)
+        if (one.distance <= least.distance + rounding && particles::comes_before(one.position, result.position, rounding)) result = one;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Meeting& one : meetings)
+        if ((one.position - result.position).norm() <= rounding) sum += one.normal;
+    if (sum.norm() > 0.01) result.normal = sum.normalized();  // else a fold back onto itself
+    return result;
+}
+
 }  // namespace
 
 std::vector<InterfaceFace> interface_faces(const mesh::TetMesh& mesh, const std::vector<int>& material) {
@@ -54,19 +78,21 @@ std::vector<InterfaceFace> interface_faces(const mesh::TetMesh& mesh, const std:
 
 std::vector<InterfaceHit> interface_hits(const std::vector<InterfaceFace>& faces, int from, const Eigen::Vector3d& centre,
                                          const Eigen::Vector3d& normal, double radius) {
-    std::map<int, InterfaceHit> nearest;
+    std::map<int, std::vector<Meeting>> meetings;
     for (const InterfaceFace& face : faces) {
         if (face.material[0] != from && face.material[1] != from) continue;
         const int side = face.material[0] == from ? 1 : 0;
         const std::optional<Eigen::Vector3d> point = nearest_cut_point(face.corner, centre, normal);
         if (!point || (*point - centre).norm() > radius) continue;
         const Eigen::Vector3d across = (face.corner[1] - face.corner[0]).cross(face.corner[2] - face.corner[0]).normalized();
-        const InterfaceHit hit{*point, side == 1 ? across : Eigen::Vector3d(-across), face.material[side]};
-        const auto [place, fresh] = nearest.try_emplace(hit.to, hit);
-        if (!fresh && (hit.position - centre).norm() < (place->second.position - centre).norm()) place->second = hit;
+        meetings[face.material[side]].push_back({*point, side == 1 ? across : Eigen::Vector3d(-across), (*point - centre).norm(),
+                                                 (face.corner[1] - face.corner[0]).norm()});
     }
     std::vector<InterfaceHit> hits;
-    for (const auto& [to, hit] : nearest) hits.push_back(hit);
+    for (const auto& [to, all] : meetings) {
+        const Meeting nearest = nearest_of(all);
+        hits.push_back({nearest.position, nearest.normal, to});
+    }
     return hits;
 }
 

@@ -23,11 +23,12 @@ std::vector<InterfaceFace> interface_faces(const mesh::TetMesh& mesh, const std:
 /// Where a crack first meets another material.
 struct InterfaceHit {
     Eigen::Vector3d position;  ///< m: of all cuts of the disc with faces to that material the point nearest to the disc's centre
-    Eigen::Vector3d normal;    ///< unit, of the interface there, into the other material
+    Eigen::Vector3d normal;    ///< unit, of the interface there (the mean of the faces that meet in the point), into the other material
     int to = 0;                ///< the other material
 };
 
-/// One hit for each material that a disc reaches out of material `from`, ascending by `to`. normal: unit; radius in m.
+/// One hit for each material that a disc reaches out of material `from`, ascending by `to`. normal: unit; radius in m. Depends on the places
+/// of the faces only, not on their order.
 std::vector<InterfaceHit> interface_hits(const std::vector<InterfaceFace>& faces, int from, const Eigen::Vector3d& centre,
                                          const Eigen::Vector3d& normal, double radius);
 

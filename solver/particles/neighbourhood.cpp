@@ -5,19 +5,21 @@
 #include <Eigen/SVD>
 
 #include <cmath>
-#include <compare>
 
 namespace cleave::particles {
 
 namespace {
+
+/// Moments nearer to each other than this part are equal: no choice hangs on rounding, nor by it on the particles' numbers.
+constexpr double alike = 1e-9;
 
 /// How good a neighbourhood is: first by having enough neighbours, then by its smallest moment.
 struct Quality {
     bool enough = false;
     double moment = 0;
 
-    bool satisfies(const SupportRule& rule) const { return enough && moment >= rule.least_moment; }
-    friend auto operator<=>(const Quality&, const Quality&) = default;
+    bool satisfies(const SupportRule& rule) const { return enough && moment >= (1 - alike) * rule.least_moment; }
+    bool beats(const Quality& other) const { return enough != other.enough ? enough : moment > (1 + alike) * other.moment; }
 };
 
 Quality quality(const Particles& particles, int i, std::span<const int> neighbours, const SupportRule& rule) {
@@ -53,7 +55,7 @@ bool raise(Particles& particles, const CellGrid& grid, int i, std::vector<int>& 
     for (int round = 0; round <= rule.rounds; ++round) {
         const Quality found = try_size(round);
         if (found.satisfies(rule)) return true;
-        if (found > best) best = found, best_round = round;
+        if (found.beats(best)) best = found, best_round = round;
     }
     try_size(best_round);
     return false;

@@ -9,6 +9,7 @@
 #include "solver/input/input_error.hpp"
 #include "solver/material/voigt.hpp"
 #include "solver/mesh/check.hpp"
+#include "solver/particles/nearest.hpp"
 #include "solver/particles/neighbourhood.hpp"
 #include "solver/particles/wpca.hpp"
 #include "solver/simulation/closest_point.hpp"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace cleave::simulation {
 
@@ -58,8 +60,8 @@ struct SceneBody::Analysis {
         if (scene.strain_operator == "conforming") {
             strain_operator = elasticity::conforming_operator(elasticity::make_conforming_body(mesh, particles, stiffness));
         } else {
-            const particles::Neighbourhood neighbourhood = particles::build_neighbourhood(particles);
-            strain_operator = elasticity::make_strain_operator(scene.strain_operator, particles, neighbourhood);
+            particles::Neighbourhood neighbourhood = particles::build_neighbourhood(particles);  // first: it enlarges supports
+            strain_operator = elasticity::make_strain_operator(scene.strain_operator, particles, std::move(neighbourhood));
         }
         solid = elasticity::solid_of_regions(particles.region, stiffness);
     }
@@ -211,7 +213,7 @@ double SceneBody::indentation_modulus(const Eigen::Vector3d& place, const Eigen:
     int nearest = 0;
     if (stiffness_.size() > 1)
         for (int i = 1; i < original_particles(); ++i)
-            if ((mesh::tet_centroid(mesh_, i) - place).squaredNorm() < (mesh::tet_centroid(mesh_, nearest) - place).squaredNorm()) nearest = i;
+            if (particles::is_nearer(place, mesh::tet_centroid(mesh_, i), mesh::tet_centroid(mesh_, nearest))) nearest = i;
     return modulus_of(stiffness_.at(mesh_.regions[static_cast<std::size_t>(nearest)]), inward);
 }
 
@@ -220,14 +222,13 @@ Eigen::Vector3d SceneBody::surface_point(const Eigen::Vector3d& place, double re
     const Eigen::Vector3d half = Eigen::Vector3d::Constant(reach + surface_size_);
     std::vector<int> near;
     surface_grid_->collect(place - half, place + half, near);
-    std::sort(near.begin(), near.end());
     Eigen::Vector3d best = place;
-    double distance = reach;
+    bool found = false;
     for (const int triangle : near) {
         const auto& [a, b, c] = surface_[static_cast<std::size_t>(triangle)];
         const Eigen::Vector3d point = closest_point(place, mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
-        if ((point - place).norm() >= distance) continue;
-        distance = (point - place).norm();
+        if (!((point - place).norm() < reach) || (found && !particles::is_nearer(place, point, best))) continue;
+        found = true;
         best = point;
     }
     return best;
@@ -244,9 +245,17 @@ contact::ContactLoad SceneBody::peak_load(const Blow& blow) const {
     return load;
 }
 
+contact::ParticleDisplacement SceneBody::displacement_under(const contact::ContactLoad& load) const {
+    try {
+        const contact::ContactBody body{.mesh = mesh_, .particles = analysis_->particles, .stiffness = stiffness_};
+        return contact::contact_displacement(analysis_->source, body, load);
+    } catch (const elasticity::NotConverged& error) {
+        throw InputError("", "analysis.displacement", fmt::format("half_space, or a body '{}' of better condition: {}", spec_.name, error.what()));
+    }
+}
+
 fracture::CrackAnalysis SceneBody::analyse(const contact::ContactLoad& load) {
-    const contact::ContactBody body{.mesh = mesh_, .particles = analysis_->particles, .stiffness = stiffness_};
-    const contact::ParticleDisplacement displacement = contact::contact_displacement(analysis_->source, body, load);
+    const contact::ParticleDisplacement displacement = displacement_under(load);
     const fracture::AnalysedPoint point{.position = load.point, .normal = load.inward,
                                         .contact_area = std::numbers::pi * load.radius * load.radius};
     fracture::CrackAnalysis found = analysis_->generator->generate(point, displacement, analysis_->options);

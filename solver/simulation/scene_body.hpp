@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/contact/contact_displacement.hpp"
 #include "solver/contact/contact_load.hpp"
 #include "solver/elasticity/strain.hpp"
 #include "solver/fracture/crack_generation.hpp"
@@ -107,6 +108,7 @@ public:
 private:
     struct Analysis;  ///< kernels, operator, generator: what only breakable bodies have
     FragmentForm ball_form() const;
+    contact::ParticleDisplacement displacement_under(const contact::ContactLoad& load) const;
     void add_shape(int fragment, FragmentForm& form) const;
     bool is_held(const fragments::Fragment& fragment) const;
     const BodyMaterial& material_of_region(int region) const;

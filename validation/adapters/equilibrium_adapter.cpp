@@ -126,6 +126,8 @@ private:
             return elasticity::solve_equilibrium(make_problem(of_, body_, mesh), options_);
         } catch (const std::invalid_argument& error) {
             throw InputError(of_.file, "sph.conforming", std::string("a problem that can be solved: ") + error.what());
+        } catch (const elasticity::NotConverged& error) {
+            throw InputError(of_.file, "sph.conforming", std::string("a stiffness and a mesh of better condition: ") + error.what());
         }
     }
 

@@ -53,5 +53,20 @@ TEST(InterfaceHits, NearestPointOfTheDiscOnTheInterface) {
     EXPECT_LT(back[0].normal.x(), -0.99);
 }
 
+/// Two faces of a roof, its ridge along y at x = 1, meet a level crack from x = 0 first in the ridge: the normal is that of both together,
+/// whichever is listed first.
+TEST(InterfaceHits, AnEdgeHasTheMeanNormalOfItsFaces) {
+    const Eigen::Vector3d front(1, -1, 0), back(1, 1, 0), low(2, 0, -1), high(3, 0, 0.7);
+    std::vector<InterfaceFace> roof{{{front, low, back}, {0, 1}, {0, 1}}, {{front, back, high}, {0, 1}, {0, 1}}};
+    const auto normal_of = [](const InterfaceFace& face) { return (face.corner[1] - face.corner[0]).cross(face.corner[2] - face.corner[0]).normalized(); };
+    const Eigen::Vector3d mean = (normal_of(roof[0]) + normal_of(roof[1])).normalized();
+    const auto hit = [&] { return interface_hits(roof, 0, Eigen::Vector3d(0, 0.2, 0), Eigen::Vector3d(0, 1, 0.3).normalized(), 5).at(0); };
+    const InterfaceHit one = hit();
+    std::swap(roof[0], roof[1]);
+    EXPECT_LT((one.position - Eigen::Vector3d(1, 0.2, 0)).norm(), 1e-15);
+    EXPECT_LT((one.normal - mean).norm(), 1e-15);
+    EXPECT_LT((hit().normal - mean).norm(), 1e-15);
+}
+
 }  // namespace
 }  // namespace cleave::fracture

@@ -75,7 +75,8 @@ inline __m128i SubdivisionEngine::Planner::new_points(unsigned set) {
 }
 
 /// The numbers of cut points: known at the edge, or the next ones.
-inline void SubdivisionEngine::Planner::number_cut_points(const ParentLayout& layout, const CanonicalMesh::Record& record, ParentPlan& plan) {
+inline void SubdivisionEngine::Planner::number_cut_points(const ParentLayout& layout, const CanonicalMesh::Record& record,
+                                                          ParentPlan& plan) {
     static_assert(offsetof(CanonicalMesh::Record, edge) + 32 <= sizeof(CanonicalMesh::Record));  // eight ints, the last two of them rubbish
     const __m256i lanes = _mm256_load_si256(reinterpret_cast<const __m256i*>(layout.edge_lanes.data()));
     const __m256i all_edges = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(record.edge.data()));
@@ -150,6 +151,10 @@ void SubdivisionEngine::place_parents() {
     child_volumes_.resize(children);
     child_parents_.resize(children);
     face_points_.resize(count + 1);
+    // Room for the points of most cuts at once (a parent makes about 3.4): growing while parents are planned would copy them over and over.
+    const std::size_t points = points_.size();
+    points_.resize(points + 4 * count);
+    points_.resize(points);
 }
 
 /// Plans the parents first .. last-1 of the cut, those before them having been planned.

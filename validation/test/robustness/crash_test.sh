@@ -122,5 +122,5 @@ while [ $i -lt "$kills" ]; do
 done
 [ $repeated = 0 ] || fail "$repeated finished cases were run again"
 
-echo "$((2 * kills)) runs, $killed killed (the others had finished), $restarted restarts from a checkpoint, $repeated finished cases repeated, $failures failures"
+echo "counts: $((2 * kills)) runs, $killed killed (the others had finished), $restarted restarts from a checkpoint, $repeated finished cases repeated, $failures failures"
 [ $failures = 0 ] && [ $killed -gt 0 ] && { [ $restarted -gt 0 ] || [ "$kills" -lt 20 ]; }  # few kills may all come before a checkpoint

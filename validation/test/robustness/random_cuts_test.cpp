@@ -19,7 +19,7 @@ TEST(RandomCuts, FillTheirParents) {
     EXPECT_LE(tally.worst_sum, 1e-14);
     EXPECT_LE(tally.worst_stated, 1e-14);
     EXPECT_GT(tally.smallest_share, 0);  // 3e-4 where edges are alike; slivers have a shortest edge that says little of their height
-    std::printf("%ld tets cut, %ld children, %ld not positive; sums differ by %.1e L^3 at most, a child by %.1e L^3, the smallest is "
+    std::printf("counts: %ld tets cut, %ld children, %ld not positive; sums differ by %.1e L^3 at most, a child by %.1e L^3, the smallest is "
                 "%.1e of its parent\n",
                 tally.cuts, tally.children, tally.negative, tally.worst_sum, tally.worst_stated, tally.smallest_share);
 }

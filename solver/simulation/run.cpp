@@ -2,11 +2,11 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/threads.hpp"
 #include "solver/simulation/frame_grid.hpp"
 #include "solver/simulation/stopwatch.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 
 #include <memory>
@@ -65,12 +65,7 @@ std::unique_ptr<Simulation> start(const Scene& scene, const RunOptions& options)
     return std::make_unique<Simulation>(scene, options.meshes, std::move(state));
 }
 
-}  // namespace
-
-RunResult run_scene(const Scene& scene, const RunOptions& options) {
-    namespace tbb = oneapi::tbb;
-    RunTimes times{.threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency()};
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(times.threads));
+RunResult run_on_these_threads(const Scene& scene, const RunOptions& options, RunTimes times) {
     std::unique_ptr<Simulation> simulation;
     {
         const Stopwatch watch(times.set_up);
@@ -101,6 +96,13 @@ RunResult run_scene(const Scene& scene, const RunOptions& options) {
     output.finish(*simulation, times, result.frames);
     result.summary = summary_text(*simulation, times);
     return result;
+}
+
+}  // namespace
+
+RunResult run_scene(const Scene& scene, const RunOptions& options) {
+    const RunTimes times{.threads = options.threads > 0 ? options.threads : oneapi::tbb::info::default_concurrency()};
+    return on_threads(times.threads, [&] { return run_on_these_threads(scene, options, times); });
 }
 
 }  // namespace cleave::simulation

@@ -13,7 +13,7 @@ struct Workers::Arena {
 Workers::Workers(int threads) {
     if (threads == 1) return;
     arena_ = std::make_unique<Arena>();
-    arena_->arena.initialize(threads == 0 ? tbb::task_arena::automatic : threads);
+    arena_->arena.initialize(threads == 0 ? tbb::this_task_arena::max_concurrency() : threads);
 }
 
 Workers::~Workers() = default;

@@ -9,7 +9,7 @@ namespace cleave::subdivision {
 /// Threads that share out chunks of work.
 class Workers {
 public:
-    /// At most so many threads; 0: all that oneTBB offers.
+    /// At most so many threads; 0: all that oneTBB offers to who makes this.
     explicit Workers(int threads);
     ~Workers();
     Workers(Workers&&) noexcept;

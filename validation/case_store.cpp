@@ -39,8 +39,10 @@ CaseStore::CaseStore(std::filesystem::path out, std::string level)
 
 std::string CaseStore::fingerprint(const Case& of) const {
     std::string inputs = program_ + "\n" + level_ + "\n" + of.name + "\n" + of.text;
-    if (of.shape)
-        for (const std::filesystem::path& input : of.shape->input_files()) inputs.append("\n").append(content_hash(read_file(input)));
+    std::vector<std::filesystem::path> files;
+    if (of.shape) files = of.shape->input_files();
+    if (of.study) files = of.study->input_files();
+    for (const std::filesystem::path& input : files) inputs.append("\n").append(content_hash(read_file(input)));
     return content_hash(inputs);
 }
 

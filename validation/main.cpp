@@ -62,7 +62,7 @@ void print(const CaseResult& result) {
     fmt::print("{:4}  {}\n", name(result.verdict), result.name);
     for (const Row& row : result.rows) {
         const double error = row.relative ? row.measurement.relative_error : row.measurement.absolute_error;
-        std::string text = fmt::format("  {:4}  {:14} {:12} {:3} {}", name(row.verdict), row.solver, row.quantity, row.component, row.place);
+        std::string text = fmt::format("  {:4}  {:14} {:12} {:3} {}", name(row.verdict), row.solver, row.quantity, row.component, place_text(row));
         if (row.measurement.value) text += fmt::format("  {:.6g} {}", *row.measurement.value, row.unit);
         if (row.measurement.reference) text += fmt::format(" against {:.6g}, error {:.3g}", *row.measurement.reference, error);
         if (row.measurement.order) text += fmt::format(", order {:.2f}", *row.measurement.order);

@@ -71,6 +71,8 @@ std::map<std::string, std::pair<double, std::string>> rows_by_key(const Json& re
 
 }  // namespace
 
+std::string place_text(const Row& row) { return row.detail.empty() ? row.place : fmt::format("{} ({})", row.place, row.detail); }
+
 Counts count(const std::vector<CaseResult>& cases) {
     Counts counts;
     for (const CaseResult& result : cases)
@@ -95,7 +97,7 @@ std::string results_csv(const std::vector<CaseResult>& cases) {
     for (const CaseResult& result : cases)
         for (const Row& row : result.rows)
             text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(row.case_name), row.tier, row.quantity,
-                                row.component, row.unit, csv_cell(row.place), row.solver, row.resolution.size, row.resolution.particles,
+                                row.component, row.unit, csv_cell(place_text(row)), row.solver, row.resolution.size, row.resolution.particles,
                                 row.resolution.dofs, csv_number(row.measurement.value), csv_number(row.measurement.reference),
                                 csv_cell(row.reference_source), csv_number(error_of(row)), row.relative ? "relative" : "absolute",
                                 csv_cell(band_text(row.band)), csv_number(row.measurement.order), row.must_fail ? 1 : 0, name(row.verdict));
@@ -115,8 +117,8 @@ std::string junit_xml(const std::vector<CaseResult>& cases) {
             if (row.verdict == Verdict::pass)
                 text += "/>\n";
             else
-                text += fmt::format(">\n      <failure message=\"error {}, order {}, band {}\"/>\n    </testcase>\n", csv_number(error_of(row)),
-                                    csv_number(row.measurement.order), xml(band_text(row.band)));
+                text += fmt::format(">\n      <failure message=\"error {}, order {}, band {}{}\"/>\n    </testcase>\n", csv_number(error_of(row)),
+                                    csv_number(row.measurement.order), xml(band_text(row.band)), row.detail.empty() ? "" : "; " + xml(row.detail));
         }
         text += "  </testsuite>\n";
     }

@@ -40,6 +40,7 @@ struct Also {
 /// One judged comparison: a check of a case for one solver at one place.
 struct Row {
     std::string case_name, tier, quantity, component, unit, place, solver;
+    std::string detail{};                     ///< what the number is of within the place: of many tensors the worst one's name; usually ""
     std::string norm;                         ///< rms, max, p95: the error is the norm of a field's difference; "" for single numbers
     Side side = Side::particles;              ///< of the solver
     std::optional<Side> reference_side;       ///< none where nothing is compared
@@ -64,6 +65,9 @@ struct CaseResult {
     Verdict verdict = Verdict::info;      ///< fail if a row fails, pass if one passes and none fails
     std::vector<std::string> symmetry{};  ///< classes of the materials it used (symmetry_class), sorted, each once
 };
+
+/// The place, and the detail in brackets.
+std::string place_text(const Row& row);
 
 struct Counts {
     int pass = 0, fail = 0, info = 0;

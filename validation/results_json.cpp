@@ -63,6 +63,7 @@ Json row_json(const Row& row) {
               {"order", number(row.measurement.order)}, {"must_fail", row.must_fail}, {"verdict", name(row.verdict)},
               {"norm", row.norm}, {"side", name(row.side)},
               {"reference_side", row.reference_side ? Json(name(*row.reference_side)) : Json()}, {"convergence", convergence_json(row.convergence)}};
+    if (!row.detail.empty()) json["detail"] = row.detail;
     json["ladder"] = Json::array();
     for (const LadderStep& step : row.ladder) {
         Json entry = resolution_json(step.resolution);
@@ -131,6 +132,7 @@ Row row_of(const Json& json) {
     for (const Json& a : json.at("artifacts")) row.artifacts.push_back({a.at("file"), a.at("title"), a.at("x"), a.at("y")});
     row.verdict = verdict_of(json.at("verdict"));
     row.norm = json.at("norm");
+    row.detail = json.value("detail", "");
     row.side = side_of(json.at("side"));
     if (!json.at("reference_side").is_null()) row.reference_side = side_of(json.at("reference_side"));
     row.convergence = convergence_of(json.at("convergence"));

@@ -9,6 +9,7 @@
 #include "validation/studies/fem_indentation.hpp"
 #include "validation/studies/griffith.hpp"
 #include "validation/studies/kernel_properties.hpp"
+#include "validation/studies/material_sweep.hpp"
 #include "validation/studies/principal_directions.hpp"
 #include "validation/studies/scene_claims.hpp"
 #include "validation/studies/seeded_contacts.hpp"
@@ -31,6 +32,7 @@ const std::vector<StudyInfo>& studies() {
         griffith_study(),
         scene_claims_study(),
         seeded_contacts_study(),
+        material_sweep_study(),
     };
     return list;
 }

@@ -28,6 +28,7 @@ struct StudyValue {
     std::string quantity, method, place;
     double value = 0;
     Resolution resolution{};
+    std::string detail{};  ///< what it is of within the place: of many, the worst one's name
 };
 
 struct StudyOutcome {
@@ -52,6 +53,8 @@ public:
     virtual StudyOutcome run(const StudyContext& context) const = 0;
     /// The materials it measures (Pa), for the coverage by symmetry class; none where no material matters.
     virtual std::vector<material::Stiffness> materials() const { return {}; }
+    /// Files that it reads: a change of theirs is a change of the case.
+    virtual std::vector<std::filesystem::path> input_files() const { return {}; }
 };
 
 struct StudyInfo {

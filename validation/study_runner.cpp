@@ -77,6 +77,7 @@ Row judged_row(const Check& check, const std::string& solver, const std::string&
     for (std::size_t step = 0; step < ladder.size(); ++step) {
         row.measurement = measure(shown(ladder[step]->value, check), reference_of(check, outcome, place, step, of));
         row.resolution = ladder[step]->resolution;
+        row.detail = ladder[step]->detail;
         row.ladder.push_back({row.resolution, row.relative ? row.measurement.relative_error : row.measurement.absolute_error, row.measurement.value});
     }
     finish_ladder(row, OrderOver::none);

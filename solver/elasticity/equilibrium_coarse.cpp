@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -16,6 +17,10 @@ namespace {
 
 /// Added to the diagonal of Z'KZ, relative: a free body's is singular, and CG projects its rigid motions off.
 constexpr double shift = 1e-8;
+
+/// On the diagonal of a lump that is a whole free piece (a coarse mesh: fewer particles than a lump holds), whose rigid motions meet no
+/// stiffness at all: CG projects them off, and the second level has nothing to correct.
+constexpr double without_stiffness = std::numeric_limits<double>::max();
 
 using Row = Eigen::Matrix<double, 6, 6>;  ///< six strains of the six motions of a lump
 
@@ -187,7 +192,10 @@ CoarseSpace::CoarseSpace(const QuadraticEnergy& energy, const GradientStencils& 
     make_lumps(position_, lump_size);
     matrix_ = Galerkin(*this, energy, stencils).sum();
     Eigen::SparseMatrix<double> shifted = matrix_;
-    for (int n = 0; n < shifted.cols(); ++n) shifted.coeffRef(n, n) *= 1 + shift;
+    for (int n = 0; n < shifted.cols(); ++n) {
+        double& diagonal = shifted.coeffRef(n, n);
+        diagonal = diagonal > 0 ? (1 + shift) * diagonal : without_stiffness;
+    }
     factor_.compute(shifted);
     if (factor_.info() != Eigen::Success) throw std::runtime_error("equilibrium: a coarse stiffness that can be factorised");
 }

@@ -310,6 +310,16 @@ std::string TableReader::choice_or(const std::string& key, const std::vector<std
     return has(key) ? choice(key, allowed) : fallback;
 }
 
+std::filesystem::path TableReader::existing_file(const std::string& key) {
+    std::filesystem::path path = string(key);
+    if (path.is_relative() && !std::filesystem::exists(path)) {
+        const std::filesystem::path beside = std::filesystem::path(file()).parent_path() / path;
+        if (std::filesystem::exists(beside)) path = beside;
+    }
+    if (!std::filesystem::exists(path)) fail(key, fmt::format("an existing file (not '{}')", path.string()));
+    return path;
+}
+
 std::string TableReader::raw(const std::string& key) {
     const toml::node& node = require(*document_, key, "a value");
     std::ostringstream text;

@@ -3,6 +3,7 @@
 #include "solver/input/quantity.hpp"
 
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,6 +57,9 @@ public:
     /// A string out of a list of words. Throws InputError that lists them.
     std::string choice(const std::string& key, const std::vector<std::string>& allowed);
     std::string choice_or(const std::string& key, const std::vector<std::string>& allowed, const std::string& fallback);
+
+    /// A file that exists: where the string says, or else beside the file that is read. Throws InputError.
+    std::filesystem::path existing_file(const std::string& key);
 
     /// Any value (string, number, boolean, array) as its TOML text, unparsed: for overrides and fingerprints.
     std::string raw(const std::string& key);

@@ -60,6 +60,11 @@ Matrix inverse(const Matrix& m) {
     return result;
 }
 
+CrackAxes axes_about(const Point& last) {
+    const Point first = normal_to(last);
+    return {first, cross(last, first), last};
+}
+
 Stiffness in_axes(const Stiffness& stiffness, const CrackAxes& axes) {
     constexpr int first[6] = {0, 1, 2, 1, 0, 0}, second[6] = {0, 1, 2, 2, 2, 1};
     Stiffness turned{};
@@ -77,7 +82,7 @@ Stiffness in_axes(const Stiffness& stiffness, const CrackAxes& axes) {
 }
 
 Matrix barnett_lothe(const Stiffness& stiffness, const Point& front) {
-    const Point first = normal_to(front), second = cross(front, first);
+    const auto [first, second, along] = axes_about(front);
     Matrix sum{};
     for (int node = 0; node < nodes; ++node) {
         const double phi = 2 * std::numbers::pi * node / nodes;
@@ -97,7 +102,7 @@ double energy_release(const Stiffness& stiffness, const CrackAxes& axes, const P
 
 AnisotropicPenny::AnisotropicPenny(const Stiffness& stiffness, const Point& normal, double radius, const Point& traction)
     : stiffness_(stiffness), radius_(radius), traction_(traction) {
-    const Point first = normal_to(normal), second = cross(normal, first);
+    const auto [first, second, across] = axes_about(normal);
     constexpr int directions = 180;  // L of the opposite direction is the same
     Matrix mean{};
     for (int d = 0; d < directions; ++d) {

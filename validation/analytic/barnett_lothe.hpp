@@ -9,6 +9,9 @@ using Matrix = std::array<std::array<double, 3>, 3>;
 /// Axes of a crack front, in the axes of the body: ahead (growth), normal to the crack, along the front; right-handed unit vectors.
 using CrackAxes = std::array<Point, 3>;
 
+/// Axes the last of which is a given unit vector, the first two any.
+CrackAxes axes_about(const Point& last);
+
 /// C'_ijkl = a_ip a_jq a_kr a_ls C_pqrs: the stiffness as seen in the axes a.
 Stiffness in_axes(const Stiffness& stiffness, const CrackAxes& axes);
 

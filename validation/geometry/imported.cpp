@@ -106,16 +106,6 @@ private:
     mesh::Mesher mesher_;
 };
 
-std::filesystem::path existing_file(TableReader& geometry) {
-    std::filesystem::path file = geometry.string("mesh");
-    if (file.is_relative() && !std::filesystem::exists(file)) {
-        const std::filesystem::path beside = std::filesystem::path(geometry.file()).parent_path() / file;
-        if (std::filesystem::exists(beside)) file = beside;
-    }
-    if (!std::filesystem::exists(file)) geometry.fail("mesh", fmt::format("an existing file (not '{}')", file.string()));
-    return file;
-}
-
 }  // namespace
 
 ShapeInfo imported_info() {
@@ -124,7 +114,7 @@ ShapeInfo imported_info() {
 }
 
 std::shared_ptr<const Shape> read_imported(TableReader& geometry) {
-    const std::filesystem::path file = existing_file(geometry);
+    const std::filesystem::path file = geometry.existing_file("mesh");
     mesh::Imported imported = mesh::import_mesh(file);
     if (const auto* tets = std::get_if<mesh::TetMesh>(&imported)) return std::make_shared<ImportedTets>(*tets, file);
     const mesh::Mesher mesher = mesh::mesher_of(geometry.choice_or("mesher", mesh::mesher_names(), "netgen"));

@@ -59,6 +59,21 @@ TEST(Coverage, NothingCoversNothing) {
     for (const CoverageCell& cell : coverage(cases)) EXPECT_EQ(cell.checks, 0);
 }
 
+// A sweep's row is of one class, whatever else its case has.
+TEST(Coverage, ARowWithAClassForItsPlaceCountsForThatClassOnly) {
+    CaseResult sweep;
+    sweep.name = "sweep";
+    sweep.symmetry = {"cubic", "triclinic"};
+    Row row;
+    row.quantity = "patch_error";
+    row.side = Side::fem;
+    row.place = "cubic";
+    sweep.rows = {row};
+    for (const CoverageCell& cell : coverage({sweep}))
+        EXPECT_EQ(cell.checks, cell.symmetry == "cubic" && cell.family == "stress" && cell.method == Side::fem ? 1 : 0)
+            << fmt::format("{}, {}, {}", cell.symmetry, cell.family, name(cell.method));
+}
+
 TEST(Coverage, QuantitiesOfBodiesBelongToAFamily) {
     const std::vector<std::string> of_the_method{"vertex_sensitivity", "force_error_as_printed"};
     for (const QuantityInfo& quantity : quantities())

@@ -3,6 +3,7 @@
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
 #include "solver/input/test/scratch_folder.hpp"
+#include "validation/results_json.hpp"
 #include "validation/runner.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,8 @@
 namespace cleave::validation {
 namespace {
 
-/// A study whose numbers are known: "length" 2 m by "rule" at two places, 2.02 m and 1.98 m by "tape" at the first; an angle of 30 degrees.
+/// A study whose numbers are known: "length" 2 m by "rule" at two places, 2.02 m and 1.98 m by "tape" at the first; an angle of 30 degrees;
+/// a "width" of the worst of two planks.
 class Ruler final : public Study {
 public:
     StudyOutcome run(const StudyContext&) const override {
@@ -21,6 +23,7 @@ public:
         outcome.values.push_back({"length", "tape", "left", 2.02, {0.2, 10, 0}});
         outcome.values.push_back({"length", "tape", "left", 1.98, {0.1, 80, 0}});
         outcome.values.push_back({"slope", "rule", "", std::numbers::pi / 6});
+        outcome.values.push_back({"width", "rule", "left", 3, {}, "worst of 2: plank"});
         return outcome;
     }
 };
@@ -143,6 +146,23 @@ TEST(Study, AnotherMethodIsTheReferenceAtTheSamePlace) {
     check.reference.source = "tape";  // knows the left place only
     EXPECT_NE(error_of([&] { run_case(case_with(check), {}); }).find("reference.solver: expected a method with a value of length at 'right'"),
               std::string::npos);
+}
+
+TEST(Study, ADetailStandsBesideThePlaceAndIsKept) {
+    Check check = length_check();
+    check.observable.quantity = "width";
+    check.solvers = {"rule"};
+    check.places = {"left"};  // the place alone is what a check names
+    const CaseResult result = run_case(case_with(check), {}).result;
+    const Row row = case_of(case_json(result)).rows.at(0);
+    EXPECT_EQ(row.place, "left");
+    EXPECT_EQ(row.detail, "worst of 2: plank");
+    EXPECT_EQ(place_text(row), "left (worst of 2: plank)");
+    EXPECT_NE(results_csv({result}).find(",left (worst of 2: plank),"), std::string::npos);
+    check.observable.quantity = "length";
+    const CaseResult plain = run_case(case_with(check), {}).result;
+    EXPECT_FALSE(case_json(plain)["checks"][0].contains("detail"));
+    EXPECT_EQ(place_text(case_of(case_json(plain)).rows.at(0)), "left");
 }
 
 TEST(Study, AnglesAreShownInDegrees) {

@@ -30,6 +30,7 @@ export interface Check {
   component?: string | null;
   unit?: string | null;
   place?: string | null;
+  detail?: string | null;
   solver: string;
   resolution?: Resolution | null;
   value?: number | null;

@@ -62,7 +62,7 @@ const columns: Column<Row>[] = [
     sort: ({ check }) => check.quantity,
     cell: ({ check }) => lines(words(check.quantity), check.component ?? ""),
   },
-  { key: "place", title: "Place", sort: ({ check }) => check.place ?? "", cell: ({ check }) => check.place || dash },
+  { key: "place", title: "Place", sort: ({ check }) => check.place ?? "", cell: ({ check }) => (check.detail ? lines(check.place ?? "", check.detail) : check.place || dash) },
   {
     key: "solver",
     title: "Solver",
@@ -92,6 +92,7 @@ function searchable(row: Row): string {
     check.quantity,
     check.component,
     check.place,
+    check.detail,
     check.solver,
     check.reference_source,
     check.basis,
@@ -157,7 +158,7 @@ export function verdict_section({ rows }: Report): HTMLElement {
 
 function missed_text(row: Row): string {
   const { check } = row;
-  const what = [`${words(check.quantity)}${check.component ? ` ${check.component}` : ""} by ${check.solver}`, check.place]
+  const what = [`${words(check.quantity)}${check.component ? ` ${check.component}` : ""} by ${check.solver}`, check.place, check.detail]
     .filter(Boolean)
     .join(", ");
   if (check.must_fail) return `${what}: the wrong reference was not caught.`;

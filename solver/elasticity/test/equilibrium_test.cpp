@@ -148,6 +148,19 @@ TEST(FreeBody, a_bar_accelerated_by_one_end_has_the_stress_of_its_own_inertia) {
     EXPECT_LT(std::sqrt(error / scale), 0.05) << "first order: a cube of eight cells";
 }
 
+// Fewer particles than the preconditioner's lumps hold: the whole body is one lump, which has no stiffness.
+TEST(FreeBody, so_coarse_that_it_is_one_lump) {
+    const mesh::TetMesh mesh = tagged_cube(2, 0);
+    const Eigen::Matrix3d stress = Eigen::Vector3d(1e6, -2e6, 5e5).asDiagonal();
+    EquilibriumProblem problem{.mesh = mesh};
+    problem.stiffness = {{0, triclinic()}};
+    problem.free_body = true;
+    for (const int side : {left, right, front, back, bottom, top})
+        problem.tractions.push_back({side, [=](const auto&, const Eigen::Vector3d& normal) -> Eigen::Vector3d { return stress * normal; }});
+    const EquilibriumSolution solution = solve_equilibrium(problem, {.tolerance = 1e-12});
+    for (const material::Voigt& found : solution.fields.stress) EXPECT_LT((material::stress_from_voigt(found) - stress).norm(), 1e-8 * stress.norm());
+}
+
 /// Errors (rms over rms) of a triclinic cube under the smooth field's displacement on three sides, its tractions and body force.
 struct Errors {
     double displacement = 0, stress = 0, recovered = 0;

@@ -49,6 +49,12 @@ BadInput bad_stiffness(const std::string& name, const std::string& text, std::ve
     return {name, "material bad.toml", {{"bad.toml", text + "\n"}}, std::move(told)};
 }
 
+const std::string table_row = "9,0,0,0,0,0,8,0,0,0,0,7,0,0,0,6,0,0,5,0,4";
+
+BadInput bad_table(const std::string& name, std::map<std::string, std::string> files, std::vector<std::string> told) {
+    return {name, "validate material_sweep --set study.csv=table.csv --out out", std::move(files), std::move(told)};
+}
+
 std::vector<BadInput> bad_cases() {
     const std::string stiff = "stiffness = { unit = \"GPa\", voigt = ";
     return {
@@ -115,6 +121,13 @@ std::vector<BadInput> bad_cases() {
         bad_stiffness("rotation_by_a_length", "engineering = { E = \"1 GPa\", nu = 0.2 }\nrotation = { axis = [0, 0, 1], angle = \"30 m\" }", {"rotation"}),
         bad_stiffness("material_unknown_key", "engineering = { E = \"1 GPa\", nu = 0.2 }\ncolour = \"red\"", {"colour"}),
         bad_stiffness("material_empty", "", {"expected"}),
+        bad_table("table_missing", {}, {"material_sweep.toml", "study.csv", "table.csv"}),
+        bad_table("table_is_a_folder", {{"table.csv/file", "x"}}, {"table.csv"}),
+        bad_table("table_empty", {{"table.csv", ""}}, {"table.csv", "21 constants"}),
+        bad_table("table_binary", {{"table.csv", std::string("\x7f" "ELF\x02\0\n\0\xff", 9)}}, {"table.csv"}),
+        bad_table("table_twenty_numbers", {{"table.csv", table_row.substr(2) + "\n"}}, {"table.csv:1", "21 numbers", "(not 20)"}),
+        bad_table("table_nan", {{"table.csv", "C11\n\nsoft," + changed(table_row, "9,", "nan,") + "\n"}}, {"table.csv:3", "finite number", "nan"}),
+        bad_table("table_unstable", {{"table.csv", table_row + "\n" + changed(table_row, "9,", "-9,") + "\n"}}, {"table.csv:2", "positive definite"}),
         {"validate_override_without_value", "validate good.toml --set geometry.extent --out out", {{"good.toml", good_case}}, {"--set"}},
         {"validate_override_of_nothing", "validate good.toml --set geometry.width=1 --out out", {{"good.toml", good_case}}, {"width"}},
         {"validate_level_unknown", "validate good.toml --level huge --out out", {{"good.toml", good_case}}, {"--level"}},

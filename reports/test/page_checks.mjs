@@ -4,6 +4,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { Tab } from "./chromium.mjs";
+import { charts, convergence, samples } from "./panel_checks.mjs";
 import { describe_png } from "./png.mjs";
 
 const ready = 'document.documentElement.dataset.ready === "true"';
@@ -12,13 +13,13 @@ const patience_seconds = 30;
 const sides = (line) => [line.particles, line.fem, line.mathematics].filter(Boolean).length;
 const lines_of = (results) => results.cases.flatMap((entry) => entry.comparison ?? []);
 const rows_of = (results) => results.cases.flatMap((entry) => entry.checks);
-const drawable = (check) => (check.ladder ?? []).filter(({ size, error }) => size > 0 && error > 0).length > 1;
 
-/// The results that the page claims to show, from its own data block.
+/// What the page claims to show, from its own data block; scenes and tables without their bulk.
 const read_embedded = (tab) =>
-  tab.evaluate(
-    'JSON.parse(document.getElementById("report-data")?.textContent ?? \'{"sources":[]}\').sources.map((source) => source.results)',
-  );
+  tab.evaluate(`JSON.parse(document.getElementById("report-data")?.textContent ?? '{"sources":[]}').sources.map(({ results, artifacts }) => ({
+    results,
+    artifacts: Object.fromEntries(Object.entries(artifacts ?? {}).map(([file, { note }]) => [file, { note }])),
+  }))`);
 
 async function errors(tab) {
   const kept = await tab.evaluate("JSON.parse(document.documentElement.dataset.errors ?? '[\"the page does not collect its errors\"]')");
@@ -90,47 +91,10 @@ async function accessibility(tab, axe, scheme) {
   return found;
 }
 
-/// Every panel holds drawn curves or marks inside its axes, not only axes.
-async function charts(tab) {
-  return tab.evaluate(`[...document.querySelectorAll("figure.panel")].flatMap((figure) => {
-    const title = figure.querySelector("h3")?.textContent;
-    const svg = figure.querySelector(".chart svg");
-    const box = svg?.getBoundingClientRect();
-    if (!svg || box.width < 200 || box.height < 150) return ["chart not drawn: " + title];
-    const wanted = figure.querySelectorAll(".legend li").length;
-    const colours = new Set([...figure.querySelectorAll(".legend svg")].map((key) => getComputedStyle(key).color));
-    const probe = document.createElement("i");
-    document.body.append(probe);
-    const coloured = (path) => [path.getAttribute("stroke"), path.getAttribute("fill")].some((colour) => {
-      if (!colour || colour === "none") return false;
-      probe.style.color = colour;
-      return colours.has(getComputedStyle(probe).color);
-    });
-    const drawn = [...svg.querySelectorAll("path")].filter(coloured).length;
-    probe.remove();
-    const counts = drawn + " coloured paths for " + wanted + " curves";
-    return wanted > 0 && drawn >= wanted ? [] : ["chart without curves: " + title + " (" + counts + ")"];
-  })`);
-}
-
-async function convergence(tab, checks) {
-  const problems = [];
-  const legend = await tab.evaluate('[...document.querySelectorAll("#convergence .legend li")].map((item) => item.textContent)');
-  const labels = await tab.evaluate('[...document.querySelectorAll("#convergence .chart svg text")].map((item) => item.textContent)');
-  const ladders = checks.filter(drawable);
-  const curves = legend.filter((text) => !text.startsWith("asserted slope"));
-  if (curves.length !== ladders.length) problems.push(`convergence: ${curves.length} curves for ${ladders.length} ladders`);
-  const count = (texts, wanted) => texts.filter((text) => text === wanted).length;
-  const asserted = ladders.map((check) => check.band?.order_at_least).filter((order) => typeof order === "number");
-  for (const order of new Set(asserted)) {
-    const times = asserted.filter((other) => other === order).length;
-    const text = Number(order.toPrecision(4));
-    if (count(legend, `asserted slope ${text}`) !== times)
-      problems.push(`convergence: the asserted slope ${text} is missing from a legend`);
-    if (count(labels, `slope ${text}`) !== times) problems.push(`convergence: the asserted slope ${text} is not written in a chart`);
-  }
-  return problems;
-}
+/// No panel is longer than three screens, whatever the results hold.
+const lengths = (tab) =>
+  tab.evaluate(`[...document.querySelectorAll("main section")].map((part) => [part.id, Math.round(part.getBoundingClientRect().height)])
+    .filter(([, height]) => height > 2700).map(([id, height]) => "panel longer than three screens: " + id + " (" + height + " px)")`);
 
 /// A section shows something, or one line that says why not.
 const sections = (tab) =>
@@ -268,6 +232,7 @@ const looks = [
   { name: "phone", width: 400, media: "screen", scheme: "light" },
   { name: "wide", width: 1400, media: "screen", scheme: "light" },
   { name: "wide-dark", width: 1400, media: "screen", scheme: "dark" },
+  { name: "phone-dark", width: 400, media: "screen", scheme: "dark" },
   { name: "print", width: 1100, media: "print", scheme: "dark" },
 ];
 
@@ -286,9 +251,11 @@ function stages(tab, url, { results, folder, axe }) {
   let checks = [];
   let lines = [];
   let all = [];
+  let embedded = [];
   return [
     async () => {
-      all = results ? [results] : await read_embedded(tab);
+      embedded = await read_embedded(tab);
+      all = results ? [results] : embedded.map((source) => source.results);
       checks = all.flatMap(rows_of);
       lines = all.flatMap(lines_of).sort((a, b) => sides(b) - sides(a)); // all three sides first, as the page has them
       return [];
@@ -300,7 +267,9 @@ function stages(tab, url, { results, folder, axe }) {
     () => headline_links(tab, all),
     () => coverage(tab, all),
     () => charts(tab),
-    () => convergence(tab, checks),
+    () => convergence(tab, all.flatMap(({ cases }) => cases)),
+    () => samples(tab, embedded),
+    () => lengths(tab),
     () => sections(tab),
     () => figures(tab),
     () => names(tab),

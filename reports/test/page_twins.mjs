@@ -7,6 +7,17 @@ import { check_page } from "./page_checks.mjs";
 const at_the_end = (script) => (page) => page.replace("</body>", `<script>${script}</script></body>`);
 const remove = (selector) => at_the_end(`document.querySelector(${JSON.stringify(selector)}).remove()`);
 
+/// Whatever is chosen, the chart that was drawn first comes back.
+const first_drawing_stays = (section) =>
+  at_the_end(`{
+    const holder = document.getElementById("${section}-shown");
+    const first = holder.querySelector(".chart").innerHTML;
+    new MutationObserver(() => {
+      const chart = holder.querySelector(".chart");
+      if (chart && chart.innerHTML !== first) chart.innerHTML = first;
+    }).observe(holder, { childList: true, subtree: true });
+  }`);
+
 /// name, damage to the page's text, and what the complaint must say.
 const twins = [
   { name: "console error", damage: at_the_end('console.error("deliberate")'), complaint: /error on the page: deliberate/ },
@@ -34,6 +45,24 @@ const twins = [
     complaint: /asserted slope .* is not written/,
   },
   { name: "a curve lost", damage: remove("#convergence .legend li"), complaint: /convergence: \d+ curves for \d+ ladders/ },
+  { name: "a fact lost", damage: remove("#convergence .facts div"), complaint: /convergence: order is not told/ },
+  {
+    name: "a chooser that chooses nothing",
+    damage: at_the_end('document.querySelectorAll("#convergence .chooser button").forEach((one) => one.replaceWith(one.cloneNode(true)))'),
+    complaint: /convergence: 1 ladders are shown of/,
+  },
+  { name: "a chart that stays", damage: first_drawing_stays("convergence"), complaint: /convergence: the chart of .* is that of the ladder before/ },
+  { name: "samples that stay", damage: first_drawing_stays("samples"), complaint: /samples: the chart of .* is that of the table before/ },
+  {
+    name: "a search that finds nothing",
+    damage: at_the_end('document.querySelectorAll("#convergence .chooser input").forEach((one) => one.replaceWith(one.cloneNode(true)))'),
+    complaint: /convergence: the search for/,
+  },
+  {
+    name: "a panel without end",
+    damage: at_the_end('document.querySelector("#samples").style.minHeight = "3000px"'),
+    complaint: /panel longer than three screens: samples/,
+  },
   {
     name: "an empty section",
     damage: at_the_end('document.querySelector("#samples").textContent = ""'),

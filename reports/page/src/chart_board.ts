@@ -42,7 +42,9 @@ export interface Panel {
   legend: LegendItem[];
   option: (colours: Colours) => EChartsCoreOption;
   notes: string[]; ///< lines of the caption
+  facts?: HTMLElement; ///< what the chart says, in words
   extra?: HTMLElement; ///< numbers behind the chart
+  key: string; ///< of what is shown, for tests: data-shown of the figure
 }
 
 function swatch(item: LegendItem): SVGSVGElement {
@@ -64,49 +66,85 @@ function swatch(item: LegendItem): SVGSVGElement {
   return holder.firstElementChild as SVGSVGElement;
 }
 
-export class ChartBoard {
-  private readonly drawn_: { chart: EChartsType; panel: Panel }[] = [];
-  private readonly waiting_: { canvas: HTMLElement; panel: Panel }[] = [];
+function toggle(item: LegendItem, canvas: HTMLElement): HTMLElement {
+  const button = el("button", { type: "button", "aria-pressed": "true" }, swatch(item), el("span", {}, item.text));
+  button.addEventListener("click", () => {
+    const shown = button.getAttribute("aria-pressed") !== "true";
+    button.setAttribute("aria-pressed", String(shown));
+    const chart = echarts.getInstanceByDom(canvas);
+    for (const name of item.series) chart?.dispatchAction({ type: shown ? "legendSelect" : "legendUnSelect", name });
+  });
+  return button;
+}
 
-  figure(panel: Panel): HTMLElement {
+function figure(panel: Panel, canvas: HTMLElement): HTMLElement {
+  const caption = el("figcaption", {}, el("h3", {}, panel.title));
+  const legend = el("ul", { class: "legend" }, ...panel.legend.map((item) => el("li", {}, toggle(item, canvas))));
+  const notes = panel.notes.map((note) => el("p", { class: "note" }, note));
+  const side = el("div", { class: "side" }, legend, panel.facts ?? null, ...notes, panel.extra ?? null);
+  return el("figure", { class: "panel", "data-shown": panel.key }, caption, canvas, side);
+}
+
+/// Holds one chart at a time.
+export class ChartSlot {
+  readonly element: HTMLElement;
+  private chart_: EChartsType | null = null;
+  private shown_: { panel: Panel; canvas: HTMLElement } | null = null;
+
+  constructor(id: string) {
+    this.element = el("div", { class: "chosen", id });
+  }
+
+  show(panel: Panel): void {
+    this.clear();
     const canvas = el("div", { class: "chart", role: "img", "aria-label": panel.description });
-    this.waiting_.push({ canvas, panel });
-    const caption = el("figcaption", {}, el("h3", {}, panel.title));
-    const legend = el("ul", { class: "legend" }, ...panel.legend.map((item) => el("li", {}, this.toggle(item, canvas))));
-    const notes = panel.notes.map((note) => el("p", { class: "note" }, note));
-    return el("figure", { class: "panel" }, caption, canvas, legend, ...notes, panel.extra ?? null);
+    this.shown_ = { panel, canvas };
+    this.element.replaceChildren(figure(panel, canvas));
+    if (this.element.isConnected) this.draw();
   }
 
-  /// Draws what `figure` prepared; the figures must be in the document, so that they have a size.
+  /// Where there is nothing to draw.
+  show_note(note: HTMLElement): void {
+    this.clear();
+    this.element.replaceChildren(note);
+  }
+
+  /// The slot must be in the document, so that its chart has a size.
   draw(): void {
-    for (const { canvas, panel } of this.waiting_) {
-      const chart = echarts.init(canvas, null, { renderer: "svg" });
-      chart.setOption(panel.option(read_colours()));
-      this.drawn_.push({ chart, panel });
-    }
-    this.waiting_.length = 0;
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.redraw());
-    matchMedia("print").addEventListener("change", () => this.redraw());
-    addEventListener("resize", () => this.drawn_.forEach(({ chart }) => chart.resize()));
+    if (!this.shown_) return;
+    this.chart_ ??= echarts.init(this.shown_.canvas, null, { renderer: "svg" });
+    this.chart_.resize();
+    this.chart_.setOption(this.shown_.panel.option(read_colours()));
   }
 
-  private redraw(): void {
-    const colours = read_colours();
-    for (const { chart, panel } of this.drawn_) {
-      chart.resize();
-      chart.setOption(panel.option(colours));
-    }
+  resize(): void {
+    this.chart_?.resize();
   }
 
-  private toggle(item: LegendItem, canvas: HTMLElement): HTMLElement {
-    const button = el("button", { type: "button", "aria-pressed": "true" }, swatch(item), el("span", {}, item.text));
-    button.addEventListener("click", () => {
-      const shown = button.getAttribute("aria-pressed") !== "true";
-      button.setAttribute("aria-pressed", String(shown));
-      const chart = echarts.getInstanceByDom(canvas);
-      for (const name of item.series) chart?.dispatchAction({ type: shown ? "legendSelect" : "legendUnSelect", name });
-    });
-    return button;
+  private clear(): void {
+    this.chart_?.dispose();
+    this.chart_ = null;
+    this.shown_ = null;
+  }
+}
+
+export class ChartBoard {
+  private readonly slots_: ChartSlot[] = [];
+
+  /// `id`: of its element, so that links can lead to it.
+  slot(id: string): ChartSlot {
+    const made = new ChartSlot(id);
+    this.slots_.push(made);
+    return made;
+  }
+
+  /// Draws all slots, once they are in the document; from then on they follow its width, medium and colours by themselves.
+  draw(): void {
+    const redraw = (): void => this.slots_.forEach((slot) => slot.draw());
+    redraw();
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
+    matchMedia("print").addEventListener("change", redraw);
+    addEventListener("resize", () => this.slots_.forEach((slot) => slot.resize()));
   }
 }
 

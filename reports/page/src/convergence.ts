@@ -1,221 +1,81 @@
-// Error against size, both axes logarithmic. The slope that is drawn dashed is the slope that was asserted.
+// One ladder at a time: its errors drawn, its order, limit and grid convergence index in words; below, all ladders as a table.
 
-import { axis, base_option, symbols, type ChartBoard, type Colours, type LegendItem, type Panel } from "./chart_board";
-import { case_id, type LadderStep, type Report, type Row } from "./data";
-import { el, missing, plain_table, scroll_frame, section } from "./dom";
+import type { ChartBoard } from "./chart_board";
+import { Chooser } from "./chooser";
+import { asserted_order, can_be_drawn, convergence_panel, curve_title, groups_of, quantity_title } from "./convergence_chart";
+import { case_id, check_id, type Report, type Row } from "./data";
+import { el, facts, missing, section } from "./dom";
+import { dash, number, percent, quantity } from "./format";
 import { limit_table } from "./limits";
-import { number, quantity, superscript, unit_text, words } from "./format";
-import { log_ticks, spread } from "./ticks";
 
-interface Point {
-  x: number;
-  y: number;
-  size: number;
-  error: number;
-}
-interface Curve {
-  row: Row;
-  name: string;
-  title: string;
-  points: Point[];
-  asserted: number | null;
-  index: number;
+const slot_id = "convergence-shown";
+const range_words = { stated: "yes", denied: "no", unknown: "not known" };
+
+function order_text(row: Row): string {
+  const { check } = row;
+  const order = check.convergence?.order ?? check.order ?? (check.error_kind === "order" ? check.value : null);
+  const asserted = asserted_order(row);
+  const claim = asserted === null ? "none asserted" : `asserted ${check.must_fail ? "to miss " : ""}≥ ${number(asserted)}`;
+  return `${number(order, 3)} (${claim})`;
 }
 
-function asserted_order(row: Row): number | null {
-  const order = row.check.band?.order_at_least;
-  return typeof order === "number" ? order : null;
+function limit_text({ check }: Row): string {
+  const { extrapolated, uncertainty } = check.convergence ?? {};
+  if (typeof extrapolated !== "number") return `${dash} (the values give no extrapolation)`;
+  return `${quantity(extrapolated, check.unit)} ± ${quantity(uncertainty, check.unit, 2)}`;
 }
 
-/// What the order was taken over: the representative size, where the results have it.
-function size_of({ h, size }: LadderStep): number {
-  return typeof h === "number" && h > 0 ? h : size;
+/// The uncertainty as a share of the value on the finest mesh, which is what it was made of.
+function index_text({ check }: Row): string {
+  const { uncertainty } = check.convergence ?? {};
+  if (typeof uncertainty !== "number" || !check.value) return dash;
+  return `${percent(uncertainty / Math.abs(check.value))} (safety factor 1.25)`;
 }
 
-function points_of(row: Row): Point[] {
-  const points: Point[] = [];
-  for (const step of row.check.ladder ?? []) {
-    const { error } = step;
-    const size = size_of(step);
-    if (size > 0 && typeof error === "number" && error > 0) points.push({ x: Math.log10(size), y: Math.log10(error), size, error });
-  }
-  return points.sort((a, b) => a.x - b.x);
+function range_text({ check }: Row): string {
+  const { asymptotic, why } = check.convergence ?? { asymptotic: "unknown" as const, why: "not examined" };
+  return `${range_words[asymptotic]}: ${why}`;
 }
 
-function group_key({ owner, check }: Row): string {
-  return [case_id(owner), check.quantity, check.component ?? "", check.place ?? ""].join("|");
+function facts_of(row: Row): HTMLElement {
+  const { check } = row;
+  const verdict = el("a", { href: `#${check_id(row)}` }, check.verdict);
+  return facts([
+    ["Order of the error", order_text(row)],
+    ["Order of the value", number(check.convergence?.order_of_values, 3)],
+    ["Finest mesh", quantity(check.value, check.unit)],
+    ["Richardson’s limit", limit_text(row)],
+    ["Grid convergence index", index_text(row)],
+    ["Reference", quantity(check.reference, check.unit)],
+    ["Asymptotic range", range_text(row)],
+    ["Check", el("span", {}, verdict, ", of ", el("a", { href: `#${case_id(row.owner)}` }, row.owner.name))],
+  ]);
 }
 
-function groups_of(rows: Row[]): Row[][] {
-  const groups = new Map<string, Row[]>();
-  for (const row of rows) groups.set(group_key(row), [...(groups.get(group_key(row)) ?? []), row]);
-  // Asserted slopes first; otherwise in the order of the results.
-  const asserts = (group: Row[]): number => (group.some((row) => asserted_order(row) !== null) ? 0 : 1);
-  return [...groups.values()].sort((a, b) => asserts(a) - asserts(b));
+/// Asserted slopes first; otherwise in the order of the results.
+function in_order(rows: Row[]): Row[] {
+  const rank = (row: Row): number => (asserted_order(row) === null ? 1 : 0);
+  return [...rows].sort((a, b) => rank(a) - rank(b) || a.index - b.index);
 }
 
-function curves_of(rows: Row[]): Curve[] {
-  const several_references = new Set(rows.map((row) => row.check.reference_source ?? "")).size > 1;
-  return rows.map((row, index) => {
-    const { check } = row;
-    const against = several_references && check.reference_source ? ` against ${check.reference_source}` : "";
-    const title = `${check.solver}${against}${check.must_fail ? ", must-fail twin" : ""}`;
-    return { row, index, title, name: `curve ${index}`, points: points_of(row), asserted: asserted_order(row) };
+function chooser_of(drawn: Row[], board: ChartBoard): { chooser: Chooser<Row>; shown: HTMLElement } {
+  const groups = groups_of(drawn);
+  const group_of = new Map([...groups.values()].flatMap((group) => group.map((row): [Row, Row[]] => [row, group])));
+  const slot = board.slot(slot_id);
+  const chooser = new Chooser<Row>({
+    label: "Choose a ladder",
+    noun: "ladders",
+    placeholder: "case, quantity, solver …",
+    items: in_order(drawn),
+    levels: [
+      { label: "Case", of: ({ owner }) => owner.name },
+      { label: "Quantity", of: quantity_title },
+      { label: "Solver", of: (row) => curve_title(row, group_of.get(row) ?? [row]) },
+    ],
+    text: (row) => [row.owner.name, row.owner.about, quantity_title(row), row.check.solver, row.check.reference_source].filter(Boolean).join(" "),
+    show: (row) => slot.show(convergence_panel(row, group_of.get(row) ?? [row], facts_of(row))),
   });
-}
-
-/// The asserted slope through the finest point, a little below the curve so that both can be seen.
-function slope_line(curve: Curve, drop: number): [number, number][] {
-  const [finest] = curve.points;
-  const coarsest = curve.points[curve.points.length - 1];
-  const at = (x: number): [number, number] => [x, finest.y - drop + (curve.asserted ?? 0) * (x - finest.x)];
-  return [at(finest.x), at((finest.x + coarsest.x) / 2), at(coarsest.x)];
-}
-
-function has_slope(curve: Curve): boolean {
-  return curve.asserted !== null && curve.points.length > 1;
-}
-
-function observed_text({ row }: Curve): string {
-  const order = row.check.order ?? (row.check.error_kind === "order" ? row.check.value : null);
-  return typeof order === "number" ? `observed order ${number(order, 3)}` : "order not computed";
-}
-
-function asserted_text(curve: Curve): string {
-  if (curve.asserted === null) return "no slope asserted";
-  return `asserted ${curve.row.check.must_fail ? "to miss " : ""}≥ ${number(curve.asserted)}`;
-}
-
-function legend_of(curves: Curve[]): LegendItem[] {
-  return curves.flatMap((curve) => {
-    const items: LegendItem[] = [
-      { series: [curve.name], index: curve.index, line: true, text: `${curve.title}: ${observed_text(curve)}, ${asserted_text(curve)}` },
-    ];
-    if (has_slope(curve))
-      items.push({ series: [`slope ${curve.index}`], index: curve.index, dashed: true, text: `asserted slope ${number(curve.asserted)}` });
-    return items;
-  });
-}
-
-function series_of(curve: Curve, drop: number, colours: Colours): Record<string, unknown>[] {
-  const colour = colours.series[curve.index % colours.series.length];
-  const measured = {
-    type: "line",
-    name: curve.name,
-    data: curve.points.map(({ x, y, size, error }) => [x, y, size, error]),
-    z: 3,
-    symbol: symbols[curve.index % symbols.length],
-    symbolSize: 9,
-    lineStyle: { color: colour, width: 2 },
-    itemStyle: { color: colour },
-    encode: { x: 0, y: 1 },
-  };
-  if (!has_slope(curve)) return [measured];
-  const text = {
-    show: true,
-    position: "right",
-    distance: 8,
-    offset: [0, 9],
-    color: colour,
-    fontSize: 12,
-    formatter: `slope ${number(curve.asserted)}`,
-    textBorderColor: colours.paper,
-    textBorderWidth: 3,
-  };
-  const data = slope_line(curve, drop).map((value, i) => ({ value, label: i === 1 ? text : { show: false } }));
-  const slope = {
-    type: "line",
-    name: `slope ${curve.index}`,
-    data,
-    symbol: "circle",
-    symbolSize: 0.1,
-    silent: true,
-    z: 2,
-    lineStyle: { color: colour, width: 1.5, type: [6, 4] },
-    itemStyle: { color: colour },
-  };
-  return [slope, measured];
-}
-
-function log_label(value: number): string {
-  const power = Math.round(value);
-  if (Math.abs(value - power) < 1e-9) return power >= -2 && power <= 3 ? number(10 ** power) : `10${superscript(power)}`;
-  const shown = 10 ** value;
-  return shown >= 0.001 && shown < 1e4
-    ? number(shown, 2)
-    : `${number(10 ** (value - Math.floor(value)), 2)}·10${superscript(Math.floor(value))}`;
-}
-
-function option_of(curves: Curve[], unit: string, colours: Colours): Record<string, unknown> {
-  const all = curves.flatMap((curve) => curve.points);
-  const ys = all.map((point) => point.y);
-  const drop = Math.max(0.05, 0.07 * (Math.max(...ys) - Math.min(...ys)));
-  const slopes = curves.filter(has_slope).flatMap((curve) => slope_line(curve, drop).map(([, y]) => y));
-  const low = Math.min(...ys, ...slopes);
-  const high = Math.max(...ys, ...slopes);
-  const margin = Math.max(0.1, 0.08 * (high - low));
-  const xs = all.map((point) => point.x);
-  const width = Math.max(Math.max(...xs) - Math.min(...xs), 0.3);
-  const x_axis = {
-    name: `size${unit ? ` (${unit_text(unit)})` : ""}`,
-    min: Math.min(...xs) - 0.08 * width,
-    max: Math.max(...xs) + 0.14 * width,
-    ticks: spread(xs, 0.09 * width),
-    label: (value: number) => number(10 ** value, 3),
-  };
-  const y_axis = { name: "error", min: low - margin, max: high + margin, ticks: log_ticks(low - margin, high + margin), label: log_label };
-  const tooltip = (item: { value: number[] }): string => `size ${quantity(item.value[2], unit, 3)}<br>error ${number(item.value[3], 3)}`;
-  const base = base_option(colours);
-  return {
-    ...base,
-    tooltip: { ...(base.tooltip as object), formatter: tooltip },
-    xAxis: axis(x_axis, colours, false),
-    yAxis: axis(y_axis, colours, true),
-    series: curves.flatMap((curve) => series_of(curve, drop, colours)),
-  };
-}
-
-/// The numbers behind the chart; the order between two sizes is ln(e1/e0) / ln(h1/h0).
-function numbers_of(curves: Curve[], unit: string): HTMLElement {
-  const rows = curves.flatMap(({ row, title }) => {
-    const steps = [...(row.check.ladder ?? [])].sort((a, b) => size_of(b) - size_of(a));
-    return steps.map((step, i) => {
-      const coarser = steps[i - 1];
-      const order = coarser?.error && step.error ? Math.log(step.error / coarser.error) / Math.log(size_of(step) / size_of(coarser)) : null;
-      return [title, quantity(size_of(step), unit, 3), number(step.particles), number(step.dofs), number(step.error, 3), number(order, 3)];
-    });
-  });
-  const columns = [
-    { title: "Curve" },
-    ...["Size", "Particles", "Dofs", "Error", "Order from the coarser size"].map((title) => ({ title, numeric: true })),
-  ];
-  return el(
-    "details",
-    {},
-    el("summary", {}, "Numbers"),
-    scroll_frame("Numbers behind the chart", plain_table("Errors per size", columns, rows)),
-  );
-}
-
-function panel_of(rows: Row[]): Panel {
-  const curves = curves_of(rows);
-  const [{ owner, check }] = rows;
-  const unit = rows.find((row) => row.check.resolution?.unit)?.check.resolution?.unit ?? "";
-  const about = [words(check.quantity), check.component ?? "", check.place ?? ""].filter(Boolean).join(", ");
-  const legend = legend_of(curves);
-  return {
-    title: `${words(owner.name)}: ${about}`,
-    legend,
-    notes: [],
-    extra: numbers_of(curves, unit),
-    description: `Error against size, logarithmic axes. ${legend.map((item) => item.text).join("; ")}`,
-    option: (colours) => option_of(curves, unit, colours),
-  };
-}
-
-/// Two sizes make a slope; an error of exactly zero has no logarithm.
-function can_be_drawn(row: Row): boolean {
-  return points_of(row).length > 1;
+  return { chooser, shown: slot.element };
 }
 
 export function convergence_section(report: Report, board: ChartBoard): HTMLElement {
@@ -226,6 +86,7 @@ export function convergence_section(report: Report, board: ChartBoard): HTMLElem
   const lead =
     "Error against representative size, over which the orders are taken, on logarithmic axes. Dashed: the slope that the check asserts." +
     (others > 0 ? ` ${others} of the ${report.rows.length} checks have no errors above zero on two sizes and are not drawn.` : "");
-  const figures = groups_of(drawn).map((rows) => board.figure(panel_of(rows)));
-  return section("convergence", title, ...limit_table(report), el("p", {}, lead), el("div", { class: "panels" }, ...figures));
+  const { chooser, shown } = chooser_of(drawn, board);
+  const choose = (row: Row): (() => void) | null => (can_be_drawn(row) ? () => chooser.choose(row) : null);
+  return section("convergence", title, el("p", {}, lead), chooser.element, chooser.status, shown, ...limit_table(report, slot_id, choose));
 }

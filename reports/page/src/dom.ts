@@ -32,6 +32,11 @@ export function scroll_frame(label: string, table: HTMLTableElement): HTMLElemen
   return el("div", { class: "scroll", role: "region", tabindex: "0", "aria-label": label }, table);
 }
 
+/// Terms and what they are.
+export function facts(entries: [string, Node | string][]): HTMLElement {
+  return el("dl", { class: "facts" }, ...entries.map(([term, what]) => el("div", {}, el("dt", {}, term), el("dd", {}, what))));
+}
+
 export interface PlainColumn {
   title: string;
   numeric?: boolean;

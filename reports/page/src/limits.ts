@@ -1,4 +1,4 @@
-// What each ladder of three meshes and more says about its limit: observed order, Richardson's extrapolation, grid convergence index.
+// All ladders in one table, folded: observed order, Richardson's extrapolation, grid convergence index.
 
 import { case_id, check_id, type Report, type Row } from "./data";
 import { DataTable, type Column } from "./data_table";
@@ -24,13 +24,26 @@ function asserted({ check }: Row): string {
 
 const marks = { stated: "✓", denied: "✗", unknown: "·" };
 
-const columns: Column<Row>[] = [
+/// What shows a row's chart; null where it has none.
+type Choose = (row: Row) => (() => void) | null;
+
+function quantity_cell(row: Row, slot_id: string, choose: Choose): Node {
+  const name = [words(row.check.quantity), row.check.component ?? ""].join(" ").trim();
+  const check = el("a", { href: `#${check_id(row)}` }, name);
+  const show = choose(row);
+  if (!show) return check;
+  const chart = el("a", { href: `#${slot_id}`, "aria-label": `Chart of ${name}, ${row.check.solver}, ${row.owner.name}` }, "chart");
+  chart.addEventListener("click", show);
+  return lines(check, chart);
+}
+
+const columns_of = (slot_id: string, choose: Choose): Column<Row>[] => [
   { key: "case", title: "Case", head: true, sort: ({ owner }) => owner.name, cell: case_cell },
   {
     key: "quantity",
     title: "Quantity",
     sort: ({ check }) => check.quantity,
-    cell: (row) => el("a", { href: `#${check_id(row)}` }, [words(row.check.quantity), row.check.component ?? ""].join(" ").trim()),
+    cell: (row) => quantity_cell(row, slot_id, choose),
   },
   { key: "solver", title: "Solver", sort: ({ check }) => check.solver, cell: ({ check }) => el("code", {}, solver_text(check.solver)) },
   { key: "meshes", title: "Meshes", numeric: true, sort: ({ check }) => check.ladder?.length ?? 0, cell: ({ check }) => number(check.ladder?.length) },
@@ -79,13 +92,13 @@ function ladder_key({ owner, check }: Row): string {
   return [owner.name, check.quantity, check.component ?? "", check.place ?? "", check.solver, JSON.stringify(check.ladder)].join("|");
 }
 
-/// Must-fail twins repeat their ladder with a wrong reference and are left out. Nothing where no ladder has three meshes.
-export function limit_table({ rows }: Report): HTMLElement[] {
-  const found = rows.filter(({ check }) => check.convergence && !check.must_fail && (check.ladder?.length ?? 0) >= 3);
+/// Ladders of two sizes and more. Must-fail twins repeat theirs with a wrong reference and are left out.
+export function limit_table({ rows }: Report, slot_id: string, choose: Choose): HTMLElement[] {
+  const found = rows.filter(({ check }) => !check.must_fail && (check.ladder?.length ?? 0) >= 2);
   const items = found.filter((row, i) => found.findIndex((other) => ladder_key(other) === ladder_key(row)) === i);
   if (items.length === 0) return [];
   const lead =
-    "Ladders of three meshes and more. Extrapolated: Richardson’s limit of the value through all meshes; ± the grid convergence index with the " +
+    "Extrapolated: Richardson’s limit of the value through all meshes, of three and more; ± the grid convergence index with the " +
     "safety factor 1.25 (Roache 1994; ASME V&V 20-2009). Asymptotic range: stated where neighbouring meshes show orders within a quarter of the observed one.";
   const table = new DataTable<Row>({
     id: "limit-table",
@@ -95,7 +108,7 @@ export function limit_table({ rows }: Report): HTMLElement[] {
     placeholder: "case, quantity, solver …",
     file: "cleave-convergence.csv",
     items,
-    columns,
+    columns: columns_of(slot_id, choose),
     choices: [
       { label: "Solver", of: ({ check }) => check.solver },
       { label: "Asymptotic", of: ({ check }) => check.convergence?.asymptotic ?? "" },
@@ -106,5 +119,5 @@ export function limit_table({ rows }: Report): HTMLElement[] {
       "extrapolated", "uncertainty", "asymptotic", "why"],
     csv_line,
   });
-  return [el("p", {}, lead), ...table.elements()];
+  return [el("details", { class: "all" }, el("summary", {}, `All ${items.length} ladders as a table`), el("p", {}, lead), ...table.elements())];
 }

@@ -1,8 +1,9 @@
-// Sampled curves: each CSV that a check names, first column along x, "reference" as a line, the others as marks.
+// Sampled curves, one table at a time: a CSV that a check names, first column along x, "reference" as a line, the others as marks.
 
 import { axis, base_option, symbols, type ChartBoard, type Colours, type LegendItem, type Panel } from "./chart_board";
+import { Chooser } from "./chooser";
 import type { ArtifactRef, ArtifactTable, Report, Row } from "./data";
-import { missing, el, section } from "./dom";
+import { el, missing, section } from "./dom";
 import { number, words } from "./format";
 import { linear_ticks } from "./ticks";
 
@@ -112,11 +113,14 @@ function option_of(curves: Curve[], x_name: string, y_name: string, colours: Col
   };
 }
 
-function panel_of({ row, artifact, table }: Sample): Panel | null {
+const title_of = ({ artifact }: Sample): string => artifact.title ?? artifact.file;
+
+function panel_of(sample: Sample): Panel | null {
+  const { row, artifact, table } = sample;
   const curves = curves_of(table);
   if (curves.length === 0) return null;
   const legend: LegendItem[] = curves.map(({ name, index }) => ({ series: [name], index, text: name, line: index < 0 }));
-  const title = `${words(row.owner.name)}: ${artifact.title ?? artifact.file}`;
+  const title = `${words(row.owner.name)}: ${title_of(sample)}`;
   const x_name = artifact.x ?? table.columns?.[0] ?? "";
   const y_name = artifact.y ?? "";
   const kept = table.rows?.length ?? 0;
@@ -126,20 +130,39 @@ function panel_of({ row, artifact, table }: Sample): Panel | null {
     title,
     legend,
     notes,
+    key: artifact.file,
     description: `${title}. ${y_name} against ${x_name}: ${curves.map((curve) => curve.name).join(", ")}`,
     option: (colours) => option_of(curves, x_name, y_name, colours),
   };
 }
 
 function why_not_drawn({ row, artifact, table }: Sample): HTMLElement {
-  return missing(`${words(row.owner.name)}, ${artifact.file}: ${table.note ?? "no numbers in it"}.`);
+  const note = missing(`${words(row.owner.name)}, ${artifact.file}: ${table.note ?? "no numbers in it"}.`);
+  note.dataset.shown = artifact.file;
+  return note;
 }
 
 export function samples_section(report: Report, board: ChartBoard): HTMLElement {
   const samples = samples_of(report);
   if (samples.length === 0) return section("samples", "Samples", missing("No check of these results names a table of samples."));
-  const panels = samples.map((sample) => (sample.table.note ? null : panel_of(sample)));
-  const figures = panels.flatMap((panel) => (panel ? [board.figure(panel)] : []));
-  const absent = samples.filter((_, i) => panels[i] === null).map(why_not_drawn);
-  return section("samples", "Samples", figures.length > 0 ? el("div", { class: "panels" }, ...figures) : null, ...absent);
+  const slot = board.slot("samples-shown");
+  const drawable = (sample: Sample): boolean => !sample.table.note && curves_of(sample.table).length > 0;
+  const chooser = new Chooser<Sample>({
+    label: "Choose a table of samples",
+    noun: "tables",
+    placeholder: "case, title, file …",
+    items: [...samples.filter(drawable), ...samples.filter((sample) => !drawable(sample))],
+    levels: [
+      { label: "Case", of: ({ row }) => row.owner.name },
+      { label: "Table", of: title_of },
+    ],
+    text: ({ row, artifact }) => [row.owner.name, row.owner.about, artifact.title, artifact.file, artifact.x, artifact.y].filter(Boolean).join(" "),
+    show: (sample) => {
+      const panel = drawable(sample) ? panel_of(sample) : null;
+      if (panel) slot.show(panel);
+      else slot.show_note(why_not_drawn(sample));
+    },
+  });
+  const lead = "Values along lines and fronts: mathematics as a line, solvers as marks.";
+  return section("samples", "Samples", el("p", {}, lead), chooser.element, chooser.status, slot.element);
 }

@@ -96,6 +96,14 @@ const lengths = (tab) =>
   tab.evaluate(`[...document.querySelectorAll("main section")].map((part) => [part.id, Math.round(part.getBoundingClientRect().height)])
     .filter(([, height]) => height > 2700).map(([id, height]) => "panel longer than three screens: " + id + " (" + height + " px)")`);
 
+/// A line of the tables stays a line, on a phone too.
+const row_heights = (tab) =>
+  tab.evaluate(`["comparison", "verdict"].flatMap((table) => {
+    const heights = [...document.querySelectorAll("#" + table + "-table tbody tr")].map((row) => Math.round(row.getBoundingClientRect().height));
+    const highest = Math.max(0, ...heights);
+    return highest > 200 ? [table + " table: a line is " + highest + " px high"] : [];
+  })`);
+
 /// A section shows something, or one line that says why not.
 const sections = (tab) =>
   tab.evaluate(`[...document.querySelectorAll("main section")].filter((part) =>
@@ -240,7 +248,7 @@ async function picture(tab, { name, width, media, scheme }, folder) {
   await tab.emulate(media, scheme);
   await tab.resize(width);
   await tab.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
-  const problems = [...(await fits(tab, width)), ...(await charts(tab))].map((text) => `${name}: ${text}`);
+  const problems = [...(await fits(tab, width)), ...(await charts(tab)), ...(media === "screen" ? await row_heights(tab) : [])].map((text) => `${name}: ${text}`);
   const png = await tab.picture();
   if (folder) writeFileSync(join(folder, `${name}.png`), png);
   return [...problems, ...blank(png, name)];

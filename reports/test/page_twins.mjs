@@ -64,6 +64,11 @@ const twins = [
     complaint: /panel longer than three screens: samples/,
   },
   {
+    name: "a line as high as a screen",
+    damage: at_the_end('document.querySelector("#comparison-table td.basis").style.height = "400px"'),
+    complaint: /comparison table: a line is \d+ px high/,
+  },
+  {
     name: "an empty section",
     damage: at_the_end('document.querySelector("#samples").textContent = ""'),
     complaint: /empty section: samples/,

@@ -2,7 +2,7 @@
 
 import { case_id, check_id, type Difference, type Line, type Report, type Row, type Statement } from "./data";
 import { DataTable, type Column } from "./data_table";
-import { el, lines, missing, section } from "./dom";
+import { beginning, el, foldable, folded, lines, missing, section } from "./dom";
 import { band_text, dash, error_text, quantity, words } from "./format";
 import { marks } from "./verdict_table";
 
@@ -52,13 +52,6 @@ function difference_cell(pair: Pair): (item: Line) => Node | string {
   };
 }
 
-/// A long reason opens on demand, so that a line of the table stays a line.
-function foldable(text: string): Node | string {
-  const room = 70;
-  if (text.length <= room + 20) return text;
-  return el("details", {}, el("summary", {}, `${text.slice(0, text.lastIndexOf(" ", room))} …`), text);
-}
-
 /// Each reason once, with the pairs that share it.
 function basis_cell(item: Line): Node | string {
   const reasons = new Map<string, string[]>();
@@ -67,8 +60,12 @@ function basis_cell(item: Line): Node | string {
     if (basis) reasons.set(basis, [...(reasons.get(basis) ?? []), pair_titles[pair]]);
   }
   if (reasons.size === 0) return dash;
-  if (reasons.size === 1) return foldable([...reasons.keys()][0]);
-  return el("span", {}, ...[...reasons].map(([basis, of]) => el("span", { class: "reason" }, el("small", {}, of.join(", ")), foldable(basis))));
+  const [first] = reasons.keys();
+  if (reasons.size > 1) {
+    const parts = [...reasons].map(([basis, of]) => el("span", { class: "reason" }, el("small", {}, of.join(", ")), basis));
+    return folded(`${reasons.size} reasons: ${beginning(first, 50)}`, el("span", {}, ...parts));
+  }
+  return foldable(first);
 }
 
 function worst_verdict(item: Line): string {

@@ -32,6 +32,24 @@ export function scroll_frame(label: string, table: HTMLTableElement): HTMLElemen
   return el("div", { class: "scroll", role: "region", tabindex: "0", "aria-label": label }, table);
 }
 
+/// The beginning of a text, up to a space.
+export function beginning(text: string, room = 70): string {
+  return text.length <= room ? text : `${text.slice(0, text.lastIndexOf(" ", room))} …`;
+}
+
+/// What opens on demand, so that a line of the table stays a line; on a narrow screen one word of it.
+export function folded(start: string, content: Node | string): HTMLElement {
+  return el("details", {}, el("summary", {}, el("span", { class: "wide-only" }, start), el("span", { class: "narrow-only" }, "why")), content);
+}
+
+/// A text in a table: as it is where it is short and the screen wide, else on demand.
+export function foldable(text: string): HTMLElement {
+  if (text.length > 90) return folded(beginning(text), text);
+  const narrow = folded(text, text);
+  narrow.classList.add("narrow-only");
+  return el("span", {}, el("span", { class: "wide-only" }, text), narrow);
+}
+
 /// Terms and what they are.
 export function facts(entries: [string, Node | string][]): HTMLElement {
   return el("dl", { class: "facts" }, ...entries.map(([term, what]) => el("div", {}, el("dt", {}, term), el("dd", {}, what))));

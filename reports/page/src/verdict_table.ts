@@ -1,6 +1,6 @@
 import { case_id, check_id, type Report, type Row } from "./data";
 import { DataTable, type Column } from "./data_table";
-import { el, lines, missing, section } from "./dom";
+import { el, foldable, lines, missing, section } from "./dom";
 import { band_text, dash, error_text, number, quantity, words } from "./format";
 
 export const marks = { pass: "✓", fail: "✗", info: "·" };
@@ -80,7 +80,7 @@ const columns: Column<Row>[] = [
   { key: "reference", title: "Reference", numeric: true, sort: ({ check }) => check.reference ?? null, cell: reference_cell },
   { key: "error", title: "Error", numeric: true, sort: ({ check }) => check.error ?? null, cell: error_cell },
   { key: "band", title: "Band", sort: (row) => band_cell(row), cell: band_cell },
-  { key: "basis", title: "Why this band", sort: ({ check }) => check.basis ?? "", cell: ({ check }) => check.basis || dash },
+  { key: "basis", title: "Why this band, or none", sort: ({ check }) => check.basis ?? "", cell: ({ check }) => (check.basis ? foldable(check.basis) : dash) },
 ];
 
 function searchable(row: Row): string {

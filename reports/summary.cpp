@@ -80,8 +80,9 @@ std::string worst_numbers(const Report& report) {
         const char* unit;
     };
     std::string lines;
-    for (const Kind& kind : {Kind{"worst_particle_stress", "worst particle stress against the FEM", 100, " %"},
-                             Kind{"worst_energy_release_rate", "worst energy release rate", 100, " %"}, Kind{"worst_crack_angle", "worst crack angle", 1, "°"}}) {
+    for (const Kind& kind : {Kind{"worst_particle_stress", "worst judged particle stress against the FEM", 100, " %"},
+                             Kind{"recorded_particle_stress", "largest particle stress against the FEM that is only recorded", 100, " %"},
+                             Kind{"worst_energy_release_rate", "worst judged energy release rate", 100, " %"}, Kind{"worst_crack_angle", "worst judged crack angle", 1, "°"}}) {
         const json* worst = nullptr;
         for (const ReportSource& source : report.sources) {
             const auto headline = source.results.find("headline");
@@ -89,8 +90,9 @@ std::string worst_numbers(const Report& report) {
             const json& one = (*headline)[kind.key];
             if (!worst || one["error"].get<double>() > (*worst)["error"].get<double>()) worst = &one;
         }
-        if (worst)
-            lines += fmt::format("| {} | {:.2g}{} | `{}` |\n", kind.title, kind.factor * (*worst)["error"].get<double>(), kind.unit, cell(text_of(*worst, "command")));
+        if (!worst) continue;
+        const std::string why = worst->contains("why") ? fmt::format(" ({}: {})", text_of(*worst, "solver"), cell(text_of(*worst, "why"))) : "";
+        lines += fmt::format("| {}{} | {:.2g}{} | `{}` |\n", kind.title, why, kind.factor * (*worst)["error"].get<double>(), kind.unit, cell(text_of(*worst, "command")));
     }
     return lines.empty() ? lines : "\n| | | command |\n|---|---|---|\n" + lines;
 }

@@ -65,7 +65,7 @@ struct Check {
     std::vector<std::string> solvers;
     Reference reference;
     std::map<std::string, Band> bands;  ///< by solver; "" for all
-    std::string basis;
+    std::string basis;                  ///< why the bands are that wide; of a check without any, why nothing judges it
     std::string region = "";            ///< over.region
     std::string norm = "rms";           ///< over.norm
     std::vector<std::array<double, 3>> at;

@@ -1,5 +1,7 @@
 #include "validation/headline.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace cleave::validation {
@@ -27,10 +29,35 @@ std::optional<WorstError> worst(const std::vector<CaseResult>& cases, Kind is_of
     return found;
 }
 
+/// Why no band judges a difference from the finite elements that `row` measured.
+std::string why_recorded(const Row& row) {
+    if (judged(row)) return fmt::format("{} is judged against {}", row.solver, row.reference_source);
+    return row.basis.empty() ? fmt::format("the case sets no band for {}", row.solver) : row.basis;
+}
+
+/// Stress of the particles against the finite elements where nothing judges it: rows without a band, and the sides that a row's check does
+/// not name. Must-fail twins repeat another row's measurement.
+std::optional<RecordedError> largest_recorded(const std::vector<CaseResult>& cases) {
+    std::optional<RecordedError> found;
+    for (const CaseResult& of : cases)
+        for (std::size_t i = 0; i < of.rows.size(); ++i) {
+            const Row& row = of.rows[i];
+            const auto take = [&](double error, const std::string& against) {
+                if (std::isfinite(error) && (!found || error > found->error))
+                    found = RecordedError{of.name, of.command, i, error, row.solver, against, why_recorded(row)};
+            };
+            if (row.must_fail || row.quantity != "stress" || row.side != Side::particles) continue;
+            if (!judged(row) && is_particle_stress(row)) take(row.measurement.relative_error, row.reference_source);
+            for (const Also& also : row.also)
+                if (also.side == Side::fem && also.relative) take(also.error, also.source);
+        }
+    return found;
+}
+
 }  // namespace
 
 Headline headline(const std::vector<CaseResult>& cases) {
-    return {worst(cases, is_particle_stress), worst(cases, is_release_rate), worst(cases, is_crack_angle)};
+    return {worst(cases, is_particle_stress), worst(cases, is_release_rate), worst(cases, is_crack_angle), largest_recorded(cases)};
 }
 
 }  // namespace cleave::validation

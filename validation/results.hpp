@@ -49,7 +49,7 @@ struct Row {
     std::string reference_source;
     bool relative = true;   ///< error is relative (else absolute)
     Band band;
-    std::string basis;
+    std::string basis;      ///< why the band is that wide, or why there is none
     bool must_fail = false;
     std::vector<LadderStep> ladder;  ///< coarse to fine
     std::optional<Convergence> convergence;

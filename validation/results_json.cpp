@@ -147,9 +147,14 @@ Json headline_json(const std::vector<CaseResult>& cases) {
     const auto one = [](const std::optional<WorstError>& worst) {
         return worst ? Json{{"error", worst->error}, {"case", worst->case_name}, {"check", worst->row}, {"command", worst->command}} : Json();
     };
+    const auto recorded = [](const std::optional<RecordedError>& largest) {
+        return largest ? Json{{"error", largest->error}, {"case", largest->case_name}, {"check", largest->row}, {"command", largest->command},
+                              {"solver", largest->solver}, {"against", largest->against}, {"why", largest->why}}
+                       : Json();
+    };
     const Headline found = headline(cases);
     return {{"worst_particle_stress", one(found.particle_stress)}, {"worst_energy_release_rate", one(found.energy_release_rate)},
-            {"worst_crack_angle", one(found.crack_angle)}};
+            {"worst_crack_angle", one(found.crack_angle)}, {"recorded_particle_stress", recorded(found.recorded_particle_stress)}};
 }
 
 Json coverage_json(const std::vector<CaseResult>& cases) {

@@ -54,7 +54,7 @@ std::vector<Row> empty_rows(const Check& check, const Case& of) {
             row.reference_source = reference_source(check, of);
             row.band = check.band(solver);
             row.relative = !row.band.absolute && !(check.reference.kind == Reference::Kind::value && check.reference.value == 0);
-            if (!row.band.empty()) row.basis = check.basis;
+            if (!row.band.empty() || check.bands.empty()) row.basis = check.basis;
             row.must_fail = check.must_fail;
             if (is_field(check)) row.norm = check.norm;
             if (is_scalar(check.observable.quantity))

@@ -66,7 +66,7 @@ Row empty_row(const Check& check, const std::string& solver, const std::string& 
     row.reference_source = check.reference.source;
     row.band = check.band(solver);
     row.relative = !row.band.absolute && !(check.reference.kind == Reference::Kind::value && check.reference.value == 0);
-    if (!row.band.empty()) row.basis = check.basis;
+    if (!row.band.empty() || check.bands.empty()) row.basis = check.basis;
     row.must_fail = check.must_fail;
     return row;
 }

@@ -76,7 +76,16 @@ async function headline_links(tab, results) {
   const commands = await tab.evaluate('document.querySelectorAll(".headline dd code").length');
   const wanted = Math.min(stated, 3);
   if (linked < wanted || commands < wanted) return [`headline: ${linked} rows and ${commands} commands for ${wanted} worst numbers`];
-  return [];
+  return recorded(tab, results);
+}
+
+/// Beside the worst judged stress stands the largest that is only recorded, with its row and the reason why nothing judges it.
+async function recorded(tab, results) {
+  const stated = results.map((one) => one.headline?.recorded_particle_stress).filter(Boolean);
+  if (stated.length === 0) return [];
+  const { why } = stated.reduce((a, b) => (b.error > a.error ? b : a));
+  const text = await tab.evaluate('document.querySelector(".headline .recorded:has(a[href^=\'#check-\'])")?.textContent ?? ""');
+  return text.includes(why.replace(/\.$/, "")) ? [] : ["headline: the largest recorded difference is missing, or why it is not judged"];
 }
 
 /// axe-core's rules (WCAG 2 A and AA, best practices), on the page as it stands.

@@ -115,6 +115,11 @@ const twins = [
   { name: "a verdict without its check", damage: remove("#comparison-table a.mark"), complaint: /central table: \d+ verdicts linked/ },
   { name: "a headline number without its row", damage: remove(".headline a[href^='#check-']"), complaint: /headline: \d+ rows/ },
   {
+    name: "no word of what is not judged",
+    damage: remove(".headline .recorded"),
+    complaint: /headline: the largest recorded difference is missing/,
+  },
+  {
     name: "a filter that hides nothing",
     damage: at_the_end(
       'document.querySelectorAll("#comparison .filters select").forEach((one) => one.replaceWith(one.cloneNode(true)))',

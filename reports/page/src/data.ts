@@ -102,6 +102,13 @@ export interface WorstError {
   check: number;
   command?: string;
 }
+/// The largest difference that no band judges.
+export interface RecordedError extends WorstError {
+  solver: string;
+  against: string;
+  why: string;
+}
+export type Headline = Record<string, WorstError | null> & { recorded_particle_stress?: RecordedError | null };
 
 export interface Case {
   name: string;
@@ -170,7 +177,7 @@ export interface Scene {
 
 export interface Source {
   folder: string;
-  results: { level?: string; cases: Case[]; headline?: Record<string, WorstError | null>; coverage?: CoverageCell[] };
+  results: { level?: string; cases: Case[]; headline?: Headline; coverage?: CoverageCell[] };
   bench: Bench | null;
   timings: { cases?: Record<string, { seconds?: number }>; solves?: Record<string, unknown>[] } | null;
   provenance: Record<string, unknown> | null;

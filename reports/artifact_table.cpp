@@ -89,8 +89,12 @@ json parse_artifact(const std::string& text) {
     return {{"columns", columns}, {"rows", thinned(std::move(rows))}, {"total", total}};
 }
 
-json read_artifact(const std::filesystem::path& folder, const std::string& file, const std::string& results_file) {
+void require_inside(const std::string& file, const std::string& results_file) {
     if (leads_outside(file)) throw InputError(results_file, "artifacts: " + file, "a path inside the results folder");
+}
+
+json read_artifact(const std::filesystem::path& folder, const std::string& file, const std::string& results_file) {
+    require_inside(file, results_file);
     const std::filesystem::path path = folder / file;
     if (path.extension() != ".csv") return note("not a table");
     if (!std::filesystem::is_regular_file(path)) return note("the file is not in the results folder");

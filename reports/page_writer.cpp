@@ -24,6 +24,7 @@ json to_json(const Report& report) {
                            {"timings", source.timings},
                            {"provenance", source.provenance},
                            {"artifacts", source.artifacts},
+                           {"fields", source.fields},
                            {"scenes", source.scenes}});
     }
     return {{"schema", "cleave.report/1"}, {"sources", sources}, {"history", report.history}};

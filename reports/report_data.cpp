@@ -1,6 +1,7 @@
 #include "reports/report_data.hpp"
 
 #include "reports/artifact_table.hpp"
+#include "reports/field_files.hpp"
 #include "reports/json_file.hpp"
 #include "reports/results_check.hpp"
 #include "reports/scene_files.hpp"
@@ -22,7 +23,7 @@ json read_artifacts(const path& folder, const json& results, const std::string& 
             if (!row.contains("artifacts") || row["artifacts"].is_null()) continue;
             for (const json& artifact : row["artifacts"]) {
                 const std::string file = artifact["file"];
-                if (!tables.contains(file)) tables[file] = read_artifact(folder, file, results_file);
+                if (!is_stress_field(file) && !tables.contains(file)) tables[file] = read_artifact(folder, file, results_file);
             }
         }
     }
@@ -39,6 +40,7 @@ ReportSource read_source(const path& folder) {
     source.timings = read_companion(folder / "timings.json");
     source.provenance = read_companion(folder / "provenance.json");
     source.artifacts = read_artifacts(folder, source.results, file.string());
+    source.fields = read_fields(folder, source.results, file.string());
     source.scenes = read_scenes(folder);
     return source;
 }

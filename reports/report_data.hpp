@@ -16,6 +16,7 @@ struct ReportSource {
     nlohmann::json timings;        ///< timings.json; null where the folder has none
     nlohmann::json provenance;     ///< provenance.json; null where the folder has none
     nlohmann::json artifacts;      ///< object: artifact file -> read_artifact's table or note
+    nlohmann::json fields;         ///< object: artifact file -> stress field or note (read_fields)
     nlohmann::json scenes;         ///< array: read_scenes
 };
 

@@ -3,8 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <string>
-#include <string_view>
 
 namespace cleave::reports {
 
@@ -13,8 +11,5 @@ namespace cleave::reports {
 /// left out, else ""). Surfaces are embedded, smallest first, until the page would grow by more than 24 MB. Throws InputError: a companion
 /// that is not JSON, another schema, a surface.glb that is none.
 nlohmann::json read_scenes(const std::filesystem::path& folder);
-
-/// RFC 4648, with padding.
-std::string base64(std::string_view bytes);
 
 }  // namespace cleave::reports

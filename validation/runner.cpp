@@ -9,6 +9,7 @@
 #include "validation/ladder.hpp"
 #include "validation/profile.hpp"
 #include "validation/solutions.hpp"
+#include "validation/stress_field.hpp"
 #include "validation/study_runner.hpp"
 
 #include <fmt/format.h>
@@ -272,11 +273,16 @@ void conclude(Row& row, bool uniform) {
     row.verdict = judge(row.measurement, row.band, row.must_fail);
 }
 
-void attach(std::vector<Row>& rows, const Profile& profile, const Artifact& artifact) {
+/// To the first row that suits, else to the first of all.
+template <class Suits>
+void attach(std::vector<Row>& rows, const Artifact& artifact, const Suits& suits) {
     for (Row& row : rows)
-        if (row.quantity == profile.observable.quantity && !row.must_fail) return row.artifacts.push_back(artifact);
+        if (!row.must_fail && suits(row)) return row.artifacts.push_back(artifact);
     if (!rows.empty()) rows.front().artifacts.push_back(artifact);
 }
+
+bool of_elements(const Row& row) { return row.side == Side::fem; }
+bool of_particle_stress(const Row& row) { return row.side == Side::particles && row.quantity == "stress"; }
 
 /// The fields of the best finite elements that the case used, for ParaView.
 std::optional<Artifact> write_fields(const Case& of, const LevelSources& sources, const std::filesystem::path& out) {
@@ -287,12 +293,6 @@ std::optional<Artifact> write_fields(const Case& of, const LevelSources& sources
             return Artifact{file, fmt::format("Displacement, stress, strain and estimated error, {}", solver), "", ""};
         }
     return std::nullopt;
-}
-
-void attach(std::vector<Row>& rows, const Artifact& of_elements) {
-    for (Row& row : rows)
-        if (row.solver.starts_with("fem.") && !row.must_fail) return row.artifacts.push_back(of_elements);
-    if (!rows.empty()) rows.front().artifacts.push_back(of_elements);
 }
 
 }  // namespace
@@ -320,7 +320,7 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
     for (const Check& check : of.checks) rows.push_back(empty_rows(check, of));
     const std::vector<double>& sizes = of.sizes(options.level);
     std::vector<std::pair<const Profile*, Artifact>> drawn;
-    std::optional<Artifact> fields;
+    std::optional<Artifact> fields, stress;
     std::vector<Artifact> fronts;
     for (const double size : sizes) {
         LevelSources sources(of, size, options.out / "meshes");
@@ -332,6 +332,7 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
                 drawn.emplace_back(&of.profiles[p], write_profile(of.profiles[p], fmt::format("{}/profile_{}.csv", artifact_folder(of.name), p + 1), options.out, sources));
         if (size == sizes.back()) {
             fields = write_fields(of, sources, options.out);
+            stress = write_stress_field(artifact_folder(of.name), options.out, sources);
             fronts = write_fronts(of, sources, artifact_folder(of.name), options.out);
         }
         run.solves.insert(run.solves.end(), sources.notes().begin(), sources.notes().end());
@@ -343,9 +344,11 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
             conclude(row, of.shape->uniform_refinement());
             run.result.rows.push_back(std::move(row));
         }
-    for (const auto& [profile, artifact] : drawn) attach(run.result.rows, *profile, artifact);
-    if (fields) attach(run.result.rows, *fields);
-    for (const Artifact& front : fronts) attach(run.result.rows, front);
+    for (const auto& [profile, artifact] : drawn)
+        attach(run.result.rows, artifact, [&](const Row& row) { return row.quantity == profile->observable.quantity; });
+    if (fields) attach(run.result.rows, *fields, of_elements);
+    if (stress) attach(run.result.rows, *stress, of_particle_stress);
+    for (const Artifact& front : fronts) attach(run.result.rows, front, of_elements);
     run.result.verdict = overall(run.result.rows);
     return run;
 }

@@ -4,6 +4,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { Tab } from "./chromium.mjs";
+import { fields } from "./field_checks.mjs";
 import { charts, convergence, samples } from "./panel_checks.mjs";
 import { describe_png } from "./png.mjs";
 
@@ -14,11 +15,12 @@ const sides = (line) => [line.particles, line.fem, line.mathematics].filter(Bool
 const lines_of = (results) => results.cases.flatMap((entry) => entry.comparison ?? []);
 const rows_of = (results) => results.cases.flatMap((entry) => entry.checks);
 
-/// What the page claims to show, from its own data block; scenes and tables without their bulk.
+/// What the page claims to show, from its own data block; scenes and drawn fields without their bulk.
 const read_embedded = (tab) =>
-  tab.evaluate(`JSON.parse(document.getElementById("report-data")?.textContent ?? '{"sources":[]}').sources.map(({ results, artifacts }) => ({
+  tab.evaluate(`JSON.parse(document.getElementById("report-data")?.textContent ?? '{"sources":[]}').sources.map(({ results, artifacts, fields }) => ({
     results,
     artifacts: Object.fromEntries(Object.entries(artifacts ?? {}).map(([file, { note }]) => [file, { note }])),
+    fields: Object.fromEntries(Object.entries(fields ?? {}).map(([file, { note, stress }]) => [file, { note, print: stress?.data.slice(-4000) }])),
   }))`);
 
 async function errors(tab) {
@@ -118,11 +120,12 @@ const sections = (tab) =>
   tab.evaluate(`[...document.querySelectorAll("main section")].filter((part) =>
   !part.querySelector("table, figure.panel .chart svg, .missing, dl, li")).map((part) => "empty section: " + part.id)`);
 
+/// (`undefined groups` is a quantity of Algorithm 1.)
 const figures = (tab) =>
   tab.evaluate(`(() => {
   const empty = [...document.querySelectorAll(".headline dd")].filter((item) => item.textContent.trim() === "").length;
   const count = document.querySelectorAll(".headline .figure").length;
-  const nonsense = /\\bNaN\\b|undefined|Infinity|\\[object/.exec(document.getElementById("page")?.innerText ?? "");
+  const nonsense = /\\bNaN\\b|undefined(?! groups)|Infinity|\\[object/.exec(document.getElementById("page")?.innerText ?? "");
   return [...(count === 5 && empty === 0 ? [] : ["headline numbers missing"]), ...(nonsense ? ["prints " + nonsense[0]] : [])];
 })()`);
 
@@ -286,6 +289,7 @@ function stages(tab, url, { results, folder, axe }) {
     () => charts(tab),
     () => convergence(tab, all.flatMap(({ cases }) => cases)),
     () => samples(tab, embedded),
+    () => fields(tab, embedded),
     () => lengths(tab),
     () => sections(tab),
     () => figures(tab),

@@ -18,6 +18,16 @@ const first_drawing_stays = (section) =>
     }).observe(holder, { childList: true, subtree: true });
   }`);
 
+/// Clouds of points are drawn only where the condition holds.
+const drawing_points = (condition) => (page) =>
+  page.replace(
+    "<script>",
+    `<script>{
+      const draw = WebGL2RenderingContext.prototype.drawArrays;
+      WebGL2RenderingContext.prototype.drawArrays = function (...words) { if (${condition}) draw.apply(this, words); };
+    }</script><script>`,
+  );
+
 /// name, damage to the page's text, and what the complaint must say.
 const twins = [
   { name: "console error", damage: at_the_end('console.error("deliberate")'), complaint: /error on the page: deliberate/ },
@@ -58,6 +68,24 @@ const twins = [
     damage: at_the_end('document.querySelectorAll("#convergence .chooser input").forEach((one) => one.replaceWith(one.cloneNode(true)))'),
     complaint: /convergence: the search for/,
   },
+  { name: "fields that draw nothing", damage: drawing_points("false"), complaint: /fields: view 1 of .* is empty/ },
+  { name: "no view of the difference", damage: drawing_points("this.getParameter(this.VIEWPORT)[0] < this.drawingBufferWidth / 2"), complaint: /fields: view 3 of .* is empty/ },
+  {
+    name: "views that do not turn",
+    damage: at_the_end('document.querySelector(".field-frame").addEventListener("keydown", (event) => event.stopImmediatePropagation(), true)'),
+    complaint: /fields: the views do not turn/,
+  },
+  {
+    name: "a field that stays",
+    damage: at_the_end('document.querySelectorAll("#fields .chooser button").forEach((one) => one.replaceWith(one.cloneNode(true)))'),
+    complaint: /fields: 1 are shown of/,
+  },
+  {
+    name: "a measure that changes nothing",
+    damage: at_the_end('document.querySelector("#fields .filters:not(.chooser) select").addEventListener("change", (event) => event.stopImmediatePropagation(), true)'),
+    complaint: /fields: another measure changes nothing/,
+  },
+  { name: "a scale without numbers", damage: at_the_end('document.querySelectorAll("#fields .ticks span").forEach((tick) => tick.remove())'), complaint: /fields: the scales of .* have no numbers/ },
   {
     name: "a panel without end",
     damage: at_the_end('document.querySelector("#samples").style.minHeight = "3000px"'),

@@ -9,6 +9,7 @@
 #include "validation/analytic/half_space_fourier.hpp"
 #include "validation/analytic/half_space_isotropic.hpp"
 #include "validation/solutions.hpp"
+#include "validation/stress_field.hpp"
 #include "validation/studies/contact_plate.hpp"
 #include "validation/studies/contact_surfaces.hpp"
 #include "validation/studies/direction_tools.hpp"
@@ -194,6 +195,8 @@ Comparison compare(const Way& way, const Way& reference, const Sample& sample, c
     return {std::sqrt(difference / size), std::sqrt(angle / defined), defined / all};
 }
 
+analytic::Voigt plain_stress(const Matrix3d& s) { return {s(0, 0), s(1, 1), s(2, 2), s(1, 2), s(0, 2), s(0, 1)}; }
+
 double energy(const Way& way, const std::vector<double>& volume) {
     double sum = 0;
     for (std::size_t k = 0; k < volume.size(); ++k) sum += volume[k] * way.energy_density[k];
@@ -287,6 +290,20 @@ private:
                    [](const Comparison& c) { return degrees(c.direction); });
         outcome.artifacts.push_back({context.folder + "/" + stem + "_depth.csv", surface.name + ": error of the stress by depth", "depth / h", "rms error"});
         outcome.artifacts.push_back({context.folder + "/" + stem + "_gap.csv", surface.name + ": error of the direction by gap", "gap / |stress|", "rms angle / deg"});
+        outcome.artifacts.push_back(draw_fields(stem, surface, ways, sample, context));
+    }
+
+    /// The equilibrium of the particles beside the finite elements, in the kernel, for the 3D views.
+    static Artifact draw_fields(const std::string& stem, const ContactSurface& surface, const Ways& ways, const Sample& sample, const StudyContext& context) {
+        const auto way = [&](const std::string& name) -> const Way& {
+            return std::find_if(ways.begin(), ways.end(), [&](const auto& one) { return one.first == name; })->second;
+        };
+        StressPair pair{"equilibrium", "fem.p2, recovered", plain(sample.place), sample.volume, {}, {}};
+        for (std::size_t k = 0; k < sample.place.size(); ++k) {
+            pair.particles.push_back(plain_stress(way("equilibrium").stress[k]));
+            pair.fem.push_back(plain_stress(way("fem.p2").stress[k]));
+        }
+        return write_stress_field(pair, context.folder + "/" + stem + "_stress_field.json", surface.name + ": stress around the contact", context.out);
     }
 
     template <typename Abscissa, typename Value>

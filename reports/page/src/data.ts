@@ -1,5 +1,7 @@
 // The shape of the embedded report: what the results folders hold, unchanged (schema cleave.results/1).
 
+import type { StressField } from "./stress_field";
+
 export type Verdict = "pass" | "fail" | "info";
 
 export interface LadderStep {
@@ -182,6 +184,7 @@ export interface Source {
   timings: { cases?: Record<string, { seconds?: number }>; solves?: Record<string, unknown>[] } | null;
   provenance: Record<string, unknown> | null;
   artifacts: Record<string, ArtifactTable>;
+  fields?: Record<string, StressField>;
   scenes?: Scene[];
 }
 

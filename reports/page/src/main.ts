@@ -8,6 +8,7 @@ import { costs_section } from "./costs";
 import { coverage_section } from "./coverage";
 import { read_report, type Report } from "./data";
 import { el } from "./dom";
+import { fields_section } from "./fields";
 import { headline } from "./headline";
 import { history_section } from "./history";
 import { samples_section } from "./samples";
@@ -52,6 +53,7 @@ function build(report: Report): void {
     verdict_section(report),
     coverage_section(report),
     convergence_section(report, board),
+    fields_section(report),
     samples_section(report, board),
     subdivision_section(report),
     scenes_section(report),

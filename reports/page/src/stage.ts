@@ -169,7 +169,7 @@ class Stage {
   }
 }
 
-function has_webgl(): boolean {
+export function has_webgl(): boolean {
   return document.createElement("canvas").getContext("webgl2") !== null;
 }
 

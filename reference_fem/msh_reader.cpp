@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -41,11 +44,24 @@ public:
         const std::string_view text = word();
         Number value{};
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error == std::errc::result_out_of_range) fail(fmt::format("number out of range: {}", text));
         if (error != std::errc{} || end != text.data() + text.size()) fail(fmt::format("expected a number, found '{}'", text));
         return value;
     }
     long integer() { return number<long>(); }
-    double real() { return number<double>(); }
+    int small_integer() { return number<int>(); }
+    double real() {
+        const double value = number<double>();
+        if (!std::isfinite(value)) fail(fmt::format("expected a finite number, found {}", value));
+        return value;
+    }
+
+    /// A physical tag; negative ones mark a reversed orientation.
+    int tag() {
+        const int value = small_integer();
+        if (value == std::numeric_limits<int>::min()) fail(fmt::format("number out of range: {}", value));
+        return std::abs(value);
+    }
 
     /// A count, bounded by what the file could hold, so that a broken file cannot ask for all memory.
     long count() {
@@ -58,10 +74,18 @@ public:
         while (words-- > 0) word();
     }
 
+    /// Behind the next line that is nothing but the marker.
     void skip_to(std::string_view marker) {
-        const std::size_t found = text_.find(marker, position_);
-        if (found == std::string_view::npos) fail(fmt::format("{} is missing", marker));
-        position_ = found + marker.size();
+        do {
+            position_ = text_.find('\n', position_);
+            if (position_ == std::string_view::npos) fail(fmt::format("{} is missing", marker));
+            ++position_;
+        } while (word() != marker || !at_line_end());
+    }
+
+    /// Nodes and elements stand one in a line: words left over mean that the file says something else than is read.
+    void end_line() {
+        if (!at_line_end()) fail(fmt::format("expected the end of the line, found '{}'", word()));
     }
 
     void expect(std::string_view marker) {
@@ -76,6 +100,11 @@ public:
     }
 
 private:
+    bool at_line_end() const {
+        const std::size_t next = text_.find_first_not_of(" \r\t", position_);
+        return next == std::string_view::npos || text_[next] == '\n';
+    }
+
     static bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
     std::string file_;
@@ -144,6 +173,7 @@ private:
         for (long left = scanner_.count(); left > 0; --left) {
             const long tag = scanner_.integer();
             add_node(tag, read_point());
+            scanner_.end_line();
         }
     }
 
@@ -151,7 +181,7 @@ private:
         long blocks = scanner_.count();
         scanner_.skip(3);  // number of nodes, smallest and largest tag
         for (; blocks > 0; --blocks) {
-            const long dimension = scanner_.integer();
+            const long dimension = read_dimension();
             scanner_.integer();
             const long coordinates = scanner_.integer() != 0 ? dimension : 0;  // parametric coordinates follow x, y, z
             std::vector<long> tags(static_cast<std::size_t>(scanner_.count()));
@@ -159,8 +189,15 @@ private:
             for (const long tag : tags) {
                 add_node(tag, read_point());
                 scanner_.skip(coordinates);
+                scanner_.end_line();
             }
         }
+    }
+
+    int read_dimension() {
+        const int dimension = scanner_.small_integer();
+        if (dimension < 0 || dimension > 3) scanner_.fail(fmt::format("impossible dimension {}", dimension));
+        return dimension;
     }
 
     Point read_point() {
@@ -186,16 +223,17 @@ private:
         const long tag = scanner_.integer();
         scanner_.skip(dimension == 0 ? 3 : 6);  // a point or a box
         std::vector<int>& groups = groups_[{dimension, tag}];
-        for (long left = scanner_.count(); left > 0; --left) groups.push_back(static_cast<int>(std::abs(scanner_.integer())));
+        for (long left = scanner_.count(); left > 0; --left) groups.push_back(scanner_.tag());
         if (dimension > 0) scanner_.skip(scanner_.count());
+        scanner_.end_line();
     }
 
     void read_elements_2() {
         for (long left = scanner_.count(); left > 0; --left) {
             const long tag = scanner_.integer();
-            const int type = static_cast<int>(scanner_.integer());
+            const int type = scanner_.small_integer();
             const long tags = scanner_.count();
-            const int group = tags > 0 ? static_cast<int>(scanner_.integer()) : 0;
+            const int group = tags > 0 ? scanner_.tag() : 0;
             scanner_.skip(tags - 1);
             read_element(tag, type, group == 0 ? std::vector<int>{} : std::vector{group});
         }
@@ -205,9 +243,9 @@ private:
         long blocks = scanner_.count();
         scanner_.skip(3);  // number of elements, smallest and largest tag
         for (; blocks > 0; --blocks) {
-            const int dimension = static_cast<int>(scanner_.integer());
+            const int dimension = read_dimension();
             const long entity = scanner_.integer();
-            const int type = static_cast<int>(scanner_.integer());
+            const int type = scanner_.small_integer();
             const auto found = groups_.find({dimension, entity});
             const std::vector<int> groups = found == groups_.end() ? std::vector<int>{} : found->second;
             for (long left = scanner_.count(); left > 0; --left) read_element(scanner_.integer(), type, groups);
@@ -219,6 +257,7 @@ private:
         if (count == 0) scanner_.fail(fmt::format("element {} has type {}; only linear triangles (2) and tets (4) are read", tag, type));
         std::array<int, 4> nodes{};
         for (int i = 0; i < count; ++i) nodes[i] = node(scanner_.integer(), tag);
+        scanner_.end_line();
         if (type == tet_type) add_tet(tag, nodes, groups);
         if (type == triangle_type)
             for (const int group : groups) mesh_.triangles.push_back({{nodes[0], nodes[1], nodes[2]}, group, tag});

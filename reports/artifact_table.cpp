@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/paths.hpp"
 
 #include <fmt/format.h>
 
@@ -54,12 +55,6 @@ json thinned(std::vector<json> rows) {
     return kept;
 }
 
-bool leads_outside(const std::filesystem::path& file) {
-    if (file.empty() || file.is_absolute()) return true;
-    const std::filesystem::path normal = file.lexically_normal();
-    return normal.begin()->string() == "..";
-}
-
 }  // namespace
 
 json parse_artifact(const std::string& text) {
@@ -97,7 +92,7 @@ json read_artifact(const std::filesystem::path& folder, const std::string& file,
     require_inside(file, results_file);
     const std::filesystem::path path = folder / file;
     if (path.extension() != ".csv") return note("not a table");
-    if (!std::filesystem::is_regular_file(path)) return note("the file is not in the results folder");
+    if (!is_file(path)) return note("the file is not in the results folder");
     return parse_artifact(read_file(path));
 }
 

@@ -38,7 +38,7 @@ json short_of(const std::string& folder, const json& results, const json& proven
     for (const json& entry : results["cases"])
         for (const json& row : entry["checks"]) counts[row["verdict"].get<std::string>()] = counts[row["verdict"].get<std::string>()].get<int>() + 1;
     return {{"folder", folder},
-            {"level", results.value("level", "")},
+            {"level", results.value("level", json())},
             {"commit", provenance.is_object() ? text(provenance, "commit") : ""},
             {"counts", counts},
             {"headline", results.value("headline", json())}};

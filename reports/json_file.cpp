@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/paths.hpp"
 
 #include <algorithm>
 
@@ -29,7 +30,7 @@ json read_json(const path& file) {
 }
 
 json read_companion(const path& file) {
-    if (!std::filesystem::exists(file)) return nullptr;
+    if (!is_there(file)) return nullptr;
     json document = read_json(file);
     if (!document.is_object()) throw InputError(file.string(), "", "an object {...}");
     return document;

@@ -46,7 +46,7 @@ ReportSource read_source(const path& folder) {
 }
 
 std::string identity(const json& results, const json& entry) {
-    return json::array({results.value("level", ""), entry["name"], entry.value("parameters", json::object())}).dump();
+    return json::array({results.value("level", json()), entry["name"], entry.value("parameters", json::object())}).dump();
 }
 
 /// A case that two folders hold would be counted twice, and nobody could say which of the two is meant.

@@ -92,6 +92,20 @@ void check_case(const Node& entry) {
     check_each(entry, "checks", true, check_row);
 }
 
+/// Worst numbers by name: each null or an object with its error.
+void check_headline(const Node& root) {
+    allow(root, "headline", &json::is_object, "an object {...}");
+    const json* headline = root.find("headline");
+    if (!headline) return;
+    for (const auto& [name, worst] : headline->items()) {
+        if (worst.is_null()) continue;
+        const Node one{worst, root.file, "headline." + name};
+        require_object(one);
+        const json* error = one.find("error");
+        if (!error || !error->is_number()) one.fail("error", "a number");
+    }
+}
+
 /// Where the writer's own counts stand, they must be those of the rows: a cut or edited file shows here.
 void check_counts(const Node& root) {
     const json* counts = root.find("counts");
@@ -116,6 +130,7 @@ void check_results(const json& results, const std::string& file) {
     if (!found || *found != schema) root.fail("schema", fmt::format("\"{}\"", schema));
     allow(root, "level", &json::is_string, "a string");
     check_each(root, "cases", true, check_case);
+    check_headline(root);
     check_counts(root);
 }
 

@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/read_values.hpp"
 #include "validation/case_checks.hpp"
 #include "validation/solutions.hpp"
 #include "validation/symmetry_class.hpp"
@@ -193,11 +194,7 @@ void read_particles(TableReader& reader, const Defaults& defaults, Case& result)
     if (auto kernel = table->table_if("kernel")) {
         result.particles.kernel_aspect = kernel->number_or("aspect", 1);
         result.particles.kernel_seed = kernel->integer_or("seed", 1);
-        if (kernel->has("axis")) {
-            const std::vector<double> axis = kernel->numbers("axis");
-            if (axis.size() != 3 || !(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2] > 0)) kernel->fail("axis", "three numbers, not all zero");
-            result.particles.kernel_axis = {axis[0], axis[1], axis[2]};
-        }
+        if (kernel->has("axis")) result.particles.kernel_axis = read_direction(*kernel, "axis");
         if (!(result.particles.kernel_aspect >= 1)) kernel->fail("aspect", "a number from 1 (longest over shortest axis)");
     }
     if (table->has("residual_tolerance")) {
@@ -235,10 +232,9 @@ void read_toughness(TableReader& reader, Case& result) {
     if (!table) return;
     result.toughness.ratio = table->number("ratio");
     if (!(result.toughness.ratio > 0)) table->fail("ratio", "a positive number, K across over K along the weak plane");
-    const std::vector<double> normal = table->numbers("weak_normal");
+    const std::array<double, 3> normal = read_direction(*table, "weak_normal");
     double square = 0;
     for (const double n : normal) square += n * n;
-    if (normal.size() != 3 || !(square > 0)) table->fail("weak_normal", "three numbers, not all zero");
     for (std::size_t i = 0; i < 3; ++i) result.toughness.weak_normal[i] = normal[i] / std::sqrt(square);
 }
 
@@ -275,6 +271,8 @@ Case read_one(TableReader reader, const std::string& file, const std::string& la
     return result;
 }
 
+constexpr std::size_t most_combinations = 10'000;  // each is a case of its own, meshed and solved
+
 using Assignment = std::vector<std::pair<std::string, std::string>>;
 
 /// Every combination of the values in [sweep].
@@ -283,9 +281,11 @@ std::vector<Assignment> combinations(TableReader& reader) {
     auto sweep = reader.table_if("sweep");
     if (!sweep) return all;
     for (const std::string& key : sweep->keys()) {
+        const std::vector<std::string> values = sweep->strings(key);
+        if (all.size() * values.size() > most_combinations) reader.fail("sweep", fmt::format("at most {} combinations", most_combinations));
         std::vector<Assignment> longer;
         for (const Assignment& assignment : all)
-            for (const std::string& value : sweep->strings(key)) {
+            for (const std::string& value : values) {
                 longer.push_back(assignment);
                 longer.back().emplace_back(key, value);
             }

@@ -1,5 +1,6 @@
 #include "validation/case_checks.hpp"
 
+#include "solver/input/read_values.hpp"
 #include "validation/solutions.hpp"
 
 #include <fmt/format.h>
@@ -315,8 +316,7 @@ Profile read_profile(TableReader& table, const Defaults& defaults, const Case& o
     if (table.has("solution")) profile.reference = read_solution_call(table, defaults);
     profile.from = table.vector("from", dimension::length);
     profile.to = table.vector("to", dimension::length);
-    profile.points = static_cast<int>(table.integer_or("points", 61));
-    if (profile.points < 2 || profile.points > 100000) table.fail("points", "an integer from 2 to 100000");
+    if (table.has("points")) profile.points = read_integer(table, "points", 2, 100'000);
     profile.x = table.string("x");
     profile.y = table.string("y");
     profile.divide_by = table.quantity_or("divide_by", info_of(profile.observable.quantity, quantities()).dimension, 1);

@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/paths.hpp"
 #include "validation/results_json.hpp"
 #include "validation/runner.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 constexpr const char* schema = "cleave.case/1";
 
 FinishedCase finished_of(const Json& json) {
-    FinishedCase finished{case_of(json.at("result")), json.at("seconds"), {}, json.at("position")};
+    FinishedCase finished{case_of(json.at("result")), json.at("seconds"), {}, json.at("position").get_ref<const Json::number_unsigned_t&>()};
     for (const Json& note : json.at("solves")) finished.solves.push_back(note_of(note));
     return finished;
 }
@@ -55,7 +56,7 @@ void CaseStore::save(const Case& of, const FinishedCase& finished) const {
 
 std::optional<FinishedCase> CaseStore::find(const Case& of) const try {
     const std::filesystem::path file = finished_case_file(out_, of.name);
-    if (!std::filesystem::exists(file)) return std::nullopt;
+    if (!is_there(file)) return std::nullopt;
     Json json = Json::parse(read_file(file));
     if (json.at("schema") != schema || json.at("fingerprint") != fingerprint(of)) return std::nullopt;
     if (json.at("position") != of.position) {  // of a run over other cases
@@ -66,7 +67,7 @@ std::optional<FinishedCase> CaseStore::find(const Case& of) const try {
     finished.result.command = of.command;
     for (const Row& row : finished.result.rows)
         for (const Artifact& artifact : row.artifacts)
-            if (!std::filesystem::exists(out_ / artifact.file)) return std::nullopt;
+            if (!is_there(out_ / artifact.file)) return std::nullopt;
     return finished;
 } catch (const nlohmann::json::exception&) {
     return std::nullopt;  // not one of ours, or of another version: the case runs again

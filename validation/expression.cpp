@@ -10,6 +10,9 @@ namespace cleave::validation {
 
 namespace {
 
+/// Terms nest, and so do the calls that read and evaluate them.
+constexpr std::size_t most_tokens = 1000;
+
 /// Splits the text into names, numbers and operators.
 std::vector<std::string> tokens_of(const std::string& text) {
     std::vector<std::string> tokens;
@@ -26,12 +29,13 @@ std::vector<std::string> tokens_of(const std::string& text) {
             double ignored = 0;
             const auto result = std::from_chars(text.data() + i, text.data() + text.size(), ignored);
             end = static_cast<std::size_t>(result.ptr - text.data());
-            if (end <= i) throw std::invalid_argument(fmt::format("a number at '{}'", text.substr(i)));
+            if (end <= i || result.ec != std::errc()) throw std::invalid_argument(fmt::format("a number at '{}'", text.substr(i)));
         } else if ((c == '<' || c == '>') && end < text.size() && text[end] == '=') {
             ++end;
         } else if (std::string("<>*/-").find(c) == std::string::npos) {
             throw std::invalid_argument(fmt::format("a comparison like '1.2 < r/a < 3' (not '{}')", c));
         }
+        if (tokens.size() == most_tokens) throw std::invalid_argument(fmt::format("at most {} words and numbers", most_tokens));
         tokens.push_back(text.substr(i, end - i));
         i = end;
     }

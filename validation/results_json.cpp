@@ -81,6 +81,10 @@ Json row_json(const Row& row) {
     return json;
 }
 
+/// A double beyond the integers' range would be undefined behaviour. Throws where the number is none.
+long integer_of(const Json& json) { return json.get_ref<const Json::number_integer_t&>(); }
+long integer_or_zero(const Json& json, const char* key) { return json.contains(key) ? integer_of(json.at(key)) : 0; }
+
 double number_of(const Json& json) { return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>(); }
 
 std::optional<double> optional_of(const Json& json) { return json.is_null() ? std::nullopt : std::optional<double>(json.get<double>()); }
@@ -95,7 +99,7 @@ Band band_of(const Json& json) {
     return band;
 }
 
-Resolution resolution_of(const Json& json) { return {number_of(json.at("size")), json.value("particles", 0L), json.value("dofs", 0L)}; }
+Resolution resolution_of(const Json& json) { return {number_of(json.at("size")), integer_or_zero(json, "particles"), integer_or_zero(json, "dofs")}; }
 
 Verdict verdict_of(const std::string& text) { return text == "pass" ? Verdict::pass : text == "fail" ? Verdict::fail : Verdict::info; }
 
@@ -193,7 +197,7 @@ Json note_json(const SolveNote& note) {
 }
 
 SolveNote note_of(const Json& json) {
-    return {json.at("solver"), json.at("method"), json.at("cells"), json.at("dofs"), json.at("iterations"), number_of(json.at("relative_residual")),
+    return {json.at("solver"), json.at("method"), integer_of(json.at("cells")), integer_of(json.at("dofs")), static_cast<int>(integer_of(json.at("iterations"))), number_of(json.at("relative_residual")),
             number_of(json.at("seconds")), number_of(json.at("bytes"))};
 }
 

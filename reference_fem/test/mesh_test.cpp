@@ -97,6 +97,10 @@ TEST(BadMesh, BrokenFilesGiveFileAndLine) {
     EXPECT_TRUE(contains(read_error(replaced(good, "$Nodes\n4\n1 ", "$Nodes\n4\n2 ")), "node 2 stands twice"));
     EXPECT_TRUE(contains(read_error(replaced(good, "3 4 2 1 1 1 2 3 4", "3 4 2 1 1 1 2 3 9")), "element 3 uses node 9"));
     EXPECT_TRUE(contains(read_error(replaced(good, "3 4 2 1 1 1 2 3 4", "3 11 2 1 1 1 2 3 4 1 1 1 1 1 1")), "type 11"));
+    EXPECT_TRUE(contains(read_error(replaced(good, "3 4 2 1 1 1 2 3 4", "3 4294967300 2 1 1 1 2 3 4")), "number out of range: 4294967300"));
+    EXPECT_TRUE(contains(read_error(replaced(good, "3 4 2 1 1 1 2 3 4", "3 4 2 -2147483648 1 1 2 3 4")), "number out of range: -2147483648"));
+    EXPECT_TRUE(contains(read_error(replaced(good, "3 4 2 1 1 1 2 3 4", "3 4 2 1 1 1 2 3 4 5")), "expected the end of the line, found '5'"));
+    EXPECT_TRUE(contains(read_error(replaced(good, "1 0 0 0\n", "1 0 inf 0\n")), "expected a finite number, found inf"));
     EXPECT_TRUE(contains(read_error(good.substr(0, good.size() - 30)), "expected"));
     MshText empty = single_tet();
     empty.tets.clear();

@@ -1,5 +1,7 @@
 #include "solver/fracture/toughness.hpp"
 
+#include "solver/input/read_values.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -47,16 +49,11 @@ std::vector<double> read_angles(TableReader& table, const std::string& key) {
     return angles;
 }
 
-Eigen::Vector3d read_direction(TableReader& table, const std::string& key) {
-    const std::vector<double> entries = table.numbers(key);
-    if (entries.size() != 3 || !(std::hypot(entries[0], entries[1], entries[2]) > 0)) table.fail(key, "three numbers, not all zero");
-    return {entries[0], entries[1], entries[2]};
-}
-
 /// The keys of weak_plane or fibre, `make` the maker of the form.
 Toughness read_directional(TableReader table, const std::string& axis, double energy,
                            Toughness (*make)(double, const Eigen::Vector3d&, double)) {
-    const Eigen::Vector3d direction = read_direction(table, axis);
+    const auto [x, y, z] = read_direction(table, axis);
+    const Eigen::Vector3d direction(x, y, z);
     if (!table.has("angle")) {
         const Toughness toughness = make(energy, direction, read_positive(table, "ratio", dimension::none, 0));
         table.finish();

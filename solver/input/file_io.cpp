@@ -13,7 +13,11 @@
 namespace cleave {
 
 std::string read_file(const std::filesystem::path& path) {
-    if (std::filesystem::is_directory(path)) throw InputError(path.string(), "", "a file (this is a folder)");
+    std::error_code unknown;
+    const std::filesystem::file_status status = std::filesystem::status(path, unknown);
+    if (std::filesystem::is_directory(status)) throw InputError(path.string(), "", "a file (this is a folder)");
+    if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
+        throw InputError(path.string(), "", "a file (this is a device, which may have no end)");
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw InputError(path.string(), "", "a readable file");
     std::ostringstream content;

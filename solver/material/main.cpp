@@ -1,10 +1,9 @@
 #include "solver/input/command_line.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/paths.hpp"
 #include "solver/material/material_report.hpp"
 
 #include <fmt/format.h>
-
-#include <filesystem>
 
 namespace {
 
@@ -19,7 +18,7 @@ struct Options {
 /// A file where it ends in .toml or exists and is no catalogue name ("T300/5208" looks like a path).
 material::Material find(const std::string& what) {
     if (what.ends_with(".toml")) return material::read_material_file(what);
-    if (material::in_catalogue(what) || !std::filesystem::is_regular_file(what)) return material::find_material(what);
+    if (material::in_catalogue(what) || !is_file(what)) return material::find_material(what);
     return material::read_material_file(what);
 }
 

@@ -1,6 +1,6 @@
 #include "solver/material/rotation.hpp"
 
-#include "solver/input/input_error.hpp"
+#include "solver/input/read_values.hpp"
 
 #include <Eigen/Geometry>
 
@@ -9,10 +9,8 @@ namespace cleave::material {
 namespace {
 
 Eigen::Matrix3d read_step(TableReader& step) {
-    const std::vector<double> axis = step.numbers("axis");
-    const Eigen::Vector3d direction = axis.size() == 3 ? Eigen::Vector3d(axis[0], axis[1], axis[2]) : Eigen::Vector3d::Zero();
-    if (!(direction.norm() > 0)) step.fail("axis", "three numbers, not all zero");
-    return Eigen::AngleAxisd(step.angle("angle"), direction.normalized()).toRotationMatrix();
+    const auto [x, y, z] = read_direction(step, "axis");
+    return Eigen::AngleAxisd(step.angle("angle"), Eigen::Vector3d(x, y, z).normalized()).toRotationMatrix();
 }
 
 /// True where the value is an array: the reader has no query for a type.

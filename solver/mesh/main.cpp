@@ -1,6 +1,7 @@
 #include "solver/input/command_line.hpp"
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/paths.hpp"
 #include "solver/input/table_reader.hpp"
 #include "solver/mesh/gmsh_session.hpp"
 #include "solver/mesh/medit_file.hpp"
@@ -48,8 +49,8 @@ mesh::BodySource source_of(const std::string& what) {
         return source;
     }
     if (what.ends_with(".toml")) return scene_body(what);
-    if (const fs::path shipped = fs::path(CLEAVE_SCENE_FOLDER) / (what + ".toml"); fs::exists(shipped)) return scene_body(shipped);
-    if (!fs::exists(what)) throw InputError(what, "", fmt::format("a file, a scene, or a recipe ({})", fmt::join(names, ", ")));
+    if (const fs::path shipped = fs::path(CLEAVE_SCENE_FOLDER) / (what + ".toml"); is_there(shipped)) return scene_body(shipped);
+    if (!is_there(what)) throw InputError(what, "", fmt::format("a file, a scene, or a recipe ({})", fmt::join(names, ", ")));
     mesh::BodySource source;
     source.file = what;
     return source;

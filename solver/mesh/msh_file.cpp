@@ -48,9 +48,10 @@ struct RawMesh {
 };
 
 int small_tag(RowScanner& scan, const char* what) {
-    const long tag = std::labs(scan.integer(what));  // 4.1 marks a reversed entity by a negative tag
-    if (tag > 1'000'000'000) scan.fail(what, "a tag of at most 10^9");
-    return static_cast<int>(tag);
+    constexpr long most = 1'000'000'000;
+    const long tag = scan.integer(what);
+    if (tag > most || tag < -most) scan.fail(what, "a tag of at most 10^9");
+    return static_cast<int>(std::abs(tag));  // a negative tag marks a reversed entity
 }
 
 void end_section(RowScanner& scan, const std::string& section) {

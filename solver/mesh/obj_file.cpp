@@ -9,10 +9,14 @@
 #include <charconv>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <vector>
 
 namespace cleave::mesh {
 namespace {
+
+/// Triangulating a face takes the square of its corners.
+constexpr std::size_t most_corners = 1000;
 
 /// Keywords that say nothing about the shape.
 bool is_decoration(std::string_view word) {
@@ -65,6 +69,7 @@ private:
         std::vector<int> corners;
         for (std::string_view word = scan_.word(); !word.empty(); word = scan_.word()) corners.push_back(corner(word));
         if (corners.size() < 3) scan_.fail("f", fmt::format("three corners or more (this face has {})", corners.size()));
+        if (corners.size() > most_corners) scan_.fail("f", fmt::format("at most {} corners (this face has {}: split it)", most_corners, corners.size()));
         std::rotate(corners.begin(), corners.begin() + best_apex(corners), corners.end());
         const int patch = patch_of(group_.empty() ? object_ : group_);
         for (std::size_t i = 1; i + 1 < corners.size(); ++i) surface_.triangles.push_back({{corners[0], corners[i], corners[i + 1]}, patch});
@@ -92,26 +97,24 @@ private:
     }
 
     int patch_of(const std::string& group) {
-        const auto found = std::find(groups_.begin(), groups_.end(), group);
-        if (found == groups_.end()) return groups_.push_back(group), static_cast<int>(groups_.size());
-        return static_cast<int>(found - groups_.begin()) + 1;
+        return patches_.try_emplace(group, static_cast<int>(patches_.size()) + 1).first->second;
     }
 
     /// One group says nothing about the surface; with several, each is a patch.
     void name_patches() {
-        if (groups_.size() < 2) {
+        if (patches_.size() < 2) {
             for (SurfaceTriangle& triangle : surface_.triangles) triangle.id = 0;
             return;
         }
-        for (std::size_t i = 0; i < groups_.size(); ++i) {
-            if (!groups_[i].empty()) surface_.names[static_cast<int>(i) + 1] = groups_[i];
+        for (const auto& [group, patch] : patches_) {
+            if (!group.empty()) surface_.names[patch] = group;
         }
     }
 
     RowScanner scan_;
     SurfaceMesh surface_;
     std::string object_, group_;
-    std::vector<std::string> groups_;  ///< those that hold faces, in the order of their first face
+    std::map<std::string, int> patches_;  ///< groups that hold faces, numbered in the order of their first face
 };
 
 }  // namespace

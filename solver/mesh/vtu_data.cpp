@@ -20,6 +20,8 @@ static_assert(std::endian::native == std::endian::little, "arrays are read as th
 constexpr std::string_view blanks = " \t\r\n";
 /// No array of a mesh that our indices can hold is larger; a broken length must not ask for more memory.
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 36;
+/// zlib cannot pack tighter than 1 to 1032 (zlib's "Technical details"); a block that promises more is broken.
+constexpr std::uint64_t most_expansion = 1032;
 
 class ArrayReader {
 public:
@@ -132,7 +134,7 @@ private:
             const bool last = block + 1 == count;
             const std::uint64_t size = last && length_at(table, 2) != 0 ? length_at(table, 2) : length_at(table, 1);
             const std::uint64_t packed_size = length_at(table, 3 + block);
-            if (size > most_bytes || packed_size > packed.size()) fail("data", "block sizes that can be");
+            if (packed_size > packed.size() || size > most_expansion * packed_size) fail("data", "block sizes that can be");
             std::string piece(size, '\0');
             uLongf made = size;
             const auto* from = reinterpret_cast<const Bytef*>(packed.data());

@@ -7,15 +7,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <charconv>
+#include <cmath>
+#include <iterator>
+#include <span>
 #include <utility>
 
 namespace cleave::mesh {
 namespace {
 
 /// VTK's numbers of the cell types this reader knows.
-constexpr int vertex_type = 1, line_type = 3, triangle_type = 5, tet_type = 10;
+constexpr std::size_t vertex_type = 1, line_type = 3, triangle_type = 5, tet_type = 10;
 
 class VtuReader {
 public:
@@ -95,12 +97,23 @@ private:
         for (std::size_t i = 0; i < count; ++i) mesh_.vertices.emplace_back(x[3 * i], x[3 * i + 1], x[3 * i + 2]);
     }
 
+    /// Numbers that count or point at something: an array of floats may hold others.
+    std::vector<std::size_t> whole_numbers(std::string_view array) const {
+        constexpr double most = 9007199254740992;  // 2^53: up to here each whole number is a double
+        std::vector<std::size_t> whole;
+        for (const double number : numbers("Cells", array)) {
+            require(number >= 0 && number <= most && number == std::floor(number), fmt::format("Cells {}", array), fmt::format("whole numbers from 0, not {}", number));
+            whole.push_back(static_cast<std::size_t>(number));
+        }
+        return whole;
+    }
+
     /// The first of the arrays that hold regions; empty where none is here.
     std::vector<double> regions(std::size_t cells) const {
         for (const char* array : {"region", "gmsh:physical", "CellEntityIds"}) {
             if (find("DataArray", "CellData", array) == nullptr) continue;
             std::vector<double> values = numbers("CellData", array);
-            const bool whole = std::all_of(values.begin(), values.end(), [](double v) { return v >= 0 && v <= 1e9 && v == static_cast<int>(v); });
+            const bool whole = std::all_of(values.begin(), values.end(), [](double v) { return v >= 0 && v <= 1e9 && v == std::floor(v); });
             require(values.size() == cells && whole, fmt::format("CellData {}", array), fmt::format("{} whole numbers from 0 to 10^9", cells));
             return values;
         }
@@ -108,27 +121,26 @@ private:
     }
 
     void read_cells() {
-        const std::vector<double> connectivity = numbers("Cells", "connectivity"), offsets = numbers("Cells", "offsets"), types = numbers("Cells", "types");
+        const std::vector<std::size_t> connectivity = whole_numbers("connectivity"), offsets = whole_numbers("offsets"), types = whole_numbers("types");
         const std::size_t cells = size_of_piece("NumberOfCells");
         require(offsets.size() == cells && types.size() == cells, "Cells", fmt::format("{} offsets and types, not {} and {}", cells, offsets.size(), types.size()));
         const std::vector<double> region = regions(cells);
-        double start = 0;
+        std::size_t start = 0;
         for (std::size_t cell = 0; cell < cells; ++cell) {
-            require(offsets[cell] >= start && offsets[cell] <= static_cast<double>(connectivity.size()), "Cells offsets", "numbers that grow, up to the length of connectivity");
-            add_cell(cell, static_cast<int>(types[cell]), &connectivity[static_cast<std::size_t>(start)], static_cast<int>(offsets[cell] - start),
-                     static_cast<int>(region[cell]));
+            require(offsets[cell] >= start && offsets[cell] <= connectivity.size(), "Cells offsets", "numbers that grow, up to the length of connectivity");
+            add_cell(cell, types[cell], std::span(connectivity).subspan(start, offsets[cell] - start), static_cast<int>(region[cell]));
             start = offsets[cell];
         }
     }
 
-    void add_cell(std::size_t cell, int type, const double* corners, int count, int region) {
+    void add_cell(std::size_t cell, std::size_t type, std::span<const std::size_t> corners, int region) {
         if (type == vertex_type || type == line_type) return;
         const std::string key = fmt::format("cell {}", cell + 1);
         require(type == tet_type || type == triangle_type, key, fmt::format("a linear tet (type 10) or triangle (5), not type {}", type));
-        require(count == (type == tet_type ? 4 : 3), key, fmt::format("{} corners, not {}", type == tet_type ? 4 : 3, count));
+        require(corners.size() == (type == tet_type ? 4 : 3), key, fmt::format("{} corners, not {}", type == tet_type ? 4 : 3, corners.size()));
         std::array<int, 4> vertices{};
-        for (int i = 0; i < count; ++i) {
-            require(corners[i] >= 0 && corners[i] < static_cast<double>(mesh_.vertices.size()), key, fmt::format("points from 0 to {}, not {}", static_cast<long>(mesh_.vertices.size()) - 1, corners[i]));
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            require(corners[i] < mesh_.vertices.size(), key, fmt::format("points from 0 to {}, not {}", static_cast<long>(mesh_.vertices.size()) - 1, corners[i]));
             vertices[i] = static_cast<int>(corners[i]);
         }
         if (type == triangle_type) {

@@ -62,7 +62,7 @@ private:
     std::string bytes_;
 };
 
-/// Reads what ArchiveWriter wrote. Throws std::runtime_error where the bytes end too early.
+/// Reads what ArchiveWriter wrote. Throws std::runtime_error where the bytes end too early or cannot be what it wrote.
 class ArchiveReader {
 public:
     explicit ArchiveReader(std::string_view bytes) : bytes_(bytes) {}
@@ -78,6 +78,12 @@ private:
         if constexpr (std::is_arithmetic_v<Value> || std::is_enum_v<Value>) raw(&value, sizeof value);
         else fields(*this, value);
     }
+    void get(bool& value) {
+        std::uint8_t byte = 0;  // a bool of any other value than 0 and 1 is undefined behaviour
+        raw(&byte, sizeof byte);
+        if (byte > 1) throw std::runtime_error("a truth value of neither 0 nor 1");
+        value = byte == 1;
+    }
     std::size_t length() {
         std::uint64_t size = 0;
         get(size);
@@ -90,8 +96,9 @@ private:
     }
     template <class Value>
     void get(std::vector<Value>& values) {
-        values.resize(length());
-        for (Value& value : values) get(value);
+        // One after the other: a wrong length meets the end of the bytes before it has asked for much memory.
+        values.clear();
+        for (std::size_t left = length(); left > 0; --left) get(values.emplace_back());
     }
     template <class Value, std::size_t count>
     void get(std::array<Value, count>& values) {

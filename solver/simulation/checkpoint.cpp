@@ -109,6 +109,22 @@ std::string checkpoint_bytes(const State& state, const std::string& scene_text) 
     return std::string(magic) + head.bytes() + content_hash(payload.bytes()) + payload.bytes();
 }
 
+namespace {
+
+/// What the checksum covers. Throws std::runtime_error where it cannot be what checkpoint_bytes wrote.
+State read_payload(std::string_view payload, const std::string& scene_text, const std::string& file) {
+    ArchiveReader reader(payload);
+    std::string scene;
+    State state;
+    reader(scene);
+    if (scene != content_hash(scene_text)) throw InputError(file, "", "a checkpoint of this scene with the same --set (this one is of another)");
+    reader(state);
+    if (!reader.at_end()) throw std::runtime_error("bytes behind its end");
+    return state;
+}
+
+}  // namespace
+
 State read_checkpoint(const std::string& bytes, const std::string& scene_text, const std::string& file) {
     if (!bytes.starts_with(magic)) throw InputError(file, "", "a checkpoint of cleave simulate");
     std::string_view rest = std::string_view(bytes).substr(magic.size());
@@ -120,13 +136,13 @@ State read_checkpoint(const std::string& bytes, const std::string& scene_text, c
     const std::string_view hash = rest.substr(0, hash_length);
     rest.remove_prefix(hash_length);
     if (content_hash(rest) != hash) throw InputError(file, "", "an undamaged checkpoint (its checksum does not match)");
-    ArchiveReader reader(rest);
-    std::string scene;
-    State state;
-    reader(scene);
-    if (scene != content_hash(scene_text)) throw InputError(file, "", "a checkpoint of this scene with the same --set (this one is of another)");
-    reader(state);
-    return state;
+    try {
+        return read_payload(rest, scene_text, file);
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        throw InputError(file, "", fmt::format("a checkpoint as cleave simulate writes it (not {})", error.what()));
+    }
 }
 
 }  // namespace cleave::simulation

@@ -3,6 +3,7 @@
 #include "solver/elasticity/strain_operator.hpp"
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/paths.hpp"
 #include "solver/material/rotation.hpp"
 #include "solver/simulation/scene_files.hpp"
 
@@ -41,13 +42,6 @@ int integer_at_least(TableReader& reader, const std::string& key, int least, int
     return static_cast<int>(value);
 }
 
-/// A file beside the current folder, else beside the scene.
-std::string found(const std::string& name, const TableReader& reader) {
-    if (std::filesystem::exists(name)) return name;
-    const std::filesystem::path beside = std::filesystem::path(reader.file()).parent_path() / name;
-    return std::filesystem::exists(beside) ? beside.string() : name;
-}
-
 bool is_text(TableReader& reader, const std::string& key) {
     const std::string raw = reader.raw(key);
     return raw.starts_with('"') || raw.starts_with('\'');
@@ -59,7 +53,7 @@ material::Material read_elastic(TableReader& body, const std::string& key) {
         return material::read_material(table);
     }
     const std::string name = body.string(key);
-    if (name.ends_with(".toml")) return material::read_material_file(found(name, body));
+    if (name.ends_with(".toml")) return material::read_material_file(find_beside(name, body.file()).string());
     if (!material::in_catalogue(name)) body.fail(key, fmt::format("a material of the catalogue ({}) or a FILE.toml (not '{}')", fmt::join(material::catalogue_names(), ", "), name));
     return material::find_material(name);
 }

@@ -2,6 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/paths.hpp"
 #include "solver/mesh/gmsh_session.hpp"
 #include "solver/mesh/import.hpp"
 #include "solver/mesh/mesher.hpp"

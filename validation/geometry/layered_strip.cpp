@@ -1,5 +1,6 @@
 #include "validation/geometry/layered_strip.hpp"
 
+#include "solver/input/read_values.hpp"
 #include "validation/geometry/mesh_cache.hpp"
 
 #include <fmt/format.h>
@@ -140,11 +141,9 @@ ShapeInfo layered_strip_info() {
 std::shared_ptr<const Shape> read_layered_strip(TableReader& geometry) {
     Strip strip{geometry.quantity("length", dimension::length), geometry.quantity("width", dimension::length),
                 geometry.quantity("support", dimension::length), {}};
-    for (const std::string& text : geometry.strings("thicknesses")) {
-        const Quantity thickness = parse_quantity(text);
-        if (!(thickness.dimension == dimension::length && thickness.value > 0)) geometry.fail("thicknesses", "positive lengths like '0.1 mm'");
-        strip.thicknesses.push_back(thickness.value);
-    }
+    strip.thicknesses = read_quantities(geometry, "thicknesses", dimension::length);
+    for (const double thickness : strip.thicknesses)
+        if (!(thickness > 0)) geometry.fail("thicknesses", "positive lengths like '0.1 mm'");
     if (strip.thicknesses.size() < 2) geometry.fail("thicknesses", "at least two layers, from the bottom");
     if (!(strip.length > 0)) geometry.fail("length", "a positive length");
     if (!(strip.width > 0)) geometry.fail("width", "a positive length");

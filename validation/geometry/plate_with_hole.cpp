@@ -1,5 +1,6 @@
 #include "validation/geometry/plate_with_hole.hpp"
 
+#include "solver/input/read_values.hpp"
 #include "validation/geometry/mesh_cache.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@ namespace {
 
 struct Plate {
     double hole_radius, half_width, thickness;
-    int layers;
+    int layers = 1;
     bool quarter;
 };
 
@@ -135,12 +136,11 @@ std::shared_ptr<const Shape> read_plate_with_hole(TableReader& geometry) {
     plate.hole_radius = geometry.quantity("hole_radius", dimension::length);
     plate.half_width = geometry.quantity("half_width", dimension::length);
     plate.thickness = geometry.quantity("thickness", dimension::length);
-    plate.layers = static_cast<int>(geometry.integer_or("layers", 1));
+    if (geometry.has("layers")) plate.layers = read_integer(geometry, "layers", 1, 1000);
     plate.quarter = geometry.choice_or("sector", {"full", "quarter"}, "full") == "quarter";
     if (!(plate.hole_radius > 0)) geometry.fail("hole_radius", "a positive length");
     if (!(plate.half_width > 3 * plate.hole_radius)) geometry.fail("half_width", "more than three hole radii");
     if (!(plate.thickness > 0)) geometry.fail("thickness", "a positive length");
-    if (plate.layers < 1 || plate.layers > 1000) geometry.fail("layers", "an integer from 1 to 1000");
     return std::make_shared<PlateWithHole>(plate);
 }
 

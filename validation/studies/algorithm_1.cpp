@@ -1,5 +1,6 @@
 #include "validation/studies/algorithm_1.hpp"
 
+#include "solver/input/read_values.hpp"
 #include "solver/material/material.hpp"
 #include "validation/studies/algorithm_1_parts.hpp"
 
@@ -43,12 +44,9 @@ int count(TableReader& table, const std::string& key) {
 }
 
 std::vector<double> lengths(TableReader& table, const std::string& key) {
-    std::vector<double> values;
-    for (const std::string& text : table.strings(key)) {
-        const Quantity quantity = parse_quantity(text);
-        if (!(quantity.dimension == dimension::length) || !(quantity.value > 0)) table.fail(key, "lengths above zero");
-        values.push_back(quantity.value);
-    }
+    const std::vector<double> values = read_quantities(table, key, dimension::length);
+    for (const double value : values)
+        if (!(value > 0)) table.fail(key, "lengths above zero");
     if (values.empty()) table.fail(key, "at least one size");
     return values;
 }

@@ -1,6 +1,7 @@
 #include "solver/input/file_io.hpp"
 
 #include "solver/input/input_error.hpp"
+#include "solver/input/paths.hpp"
 #include "solver/input/test/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,32 @@ TEST(FileIo, WritesWholeFilesAndLeavesNothingElse) {
 TEST(FileIo, AMissingFileIsInputAndAnUnwritablePlaceEnvironment) {
     EXPECT_THROW(read_file("/nonexistent/x.toml"), InputError);
     EXPECT_THROW(read_file("/"), InputError);
+    EXPECT_THROW(read_file("/dev/zero"), InputError);
     EXPECT_THROW(write_file_atomic("/proc/cleave/x.txt", "x"), EnvironmentError);
+}
+
+TEST(FileIo, ANameTooLongForTheSystemIsOneThatIsNotThere) {
+    const std::string name(300, 'a');
+    EXPECT_FALSE(is_there(name));
+    EXPECT_FALSE(is_file(name));
+    EXPECT_THROW(read_file(name), InputError);
+    EXPECT_EQ(find_beside(name, "/tmp/x.toml"), name);
+}
+
+TEST(FileIo, FindsAFileBesideTheOneThatNamesIt) {
+    const ScratchFolder folder;
+    write_file_atomic(folder / "a.msh", "x");
+    EXPECT_EQ(find_beside("a.msh", folder / "case.toml"), folder / "a.msh");
+    EXPECT_EQ(find_beside("b.msh", folder / "case.toml"), "b.msh");
+    EXPECT_EQ(find_beside(folder / "a.msh", "elsewhere/case.toml"), folder / "a.msh");
+    EXPECT_TRUE(is_there(folder));
+    EXPECT_FALSE(is_file(folder));
+    EXPECT_TRUE(is_file(folder / "a.msh"));
+}
+
+TEST(FileIo, KnowsPathsThatLeadOutside) {
+    for (const char* inside : {"a", "a/b.csv", "a/../b", "./a", "..a"}) EXPECT_FALSE(leads_outside(inside)) << inside;
+    for (const char* outside : {"", "/a", "..", "../a", "a/../../b"}) EXPECT_TRUE(leads_outside(outside)) << outside;
 }
 
 TEST(FileIo, HashIsFnv1a) {

@@ -58,6 +58,17 @@ TEST(TableReader, MissingKeysAndWrongTypesAreInputErrors) {
     EXPECT_NE(message_of("a = [1, 2\n", [](TableReader&) {}).find("case.toml:"), std::string::npos);
 }
 
+TEST(TableReader, KeysOfManyPartsDoNotExhaustTheStack) {
+    std::string key = "a";
+    for (int part = 1; part < 1'000'000; ++part) key += part % 2 == 0 ? ".a" : " . \"a, #b\"";
+    for (const std::string& text : {key + " = 1\n", "[" + key + "]\n", "x = { " + key + " = 1 }\n"})
+        EXPECT_NE(message_of(text, [](TableReader&) {}).find("case.toml:1: expected keys of at most 100 parts"), std::string::npos);
+    EXPECT_EQ(message_of("about = \"" + std::string(500, '.') + "\"\n# " + std::string(500, '.') + "\n", [](TableReader&) {}), "no error");
+    std::string numbers = "0.5";
+    for (int i = 0; i < 500; ++i) numbers += ", 0.5";
+    EXPECT_EQ(message_of("n = [" + numbers + "]\n", [](TableReader&) {}), "no error");
+}
+
 TEST(TableReader, OverridesReplaceValuesByDottedKey) {
     TableReader reader = TableReader::from_text("[load]\npressure = \"1 MPa\"\nsteps = 2\n", "t");
     reader.set("load.pressure", "2 MPa");

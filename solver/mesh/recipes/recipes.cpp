@@ -2,6 +2,8 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
+#include "solver/input/paths.hpp"
+#include "solver/input/read_values.hpp"
 #include "solver/mesh/gmsh_session.hpp"
 #include "solver/mesh/import.hpp"
 #include "solver/mesh/recipes/occ_body.hpp"
@@ -75,10 +77,8 @@ double read_angle(TableReader& table, const std::string& text) {
 
 Layers read_layers(TableReader table) {
     Layers layers;
-    const std::vector<double> normal = table.has("normal") ? table.numbers("normal") : std::vector<double>{0, 0, 1};
-    if (normal.size() != 3) table.fail("normal", "three numbers");
+    const std::array<double, 3> normal = table.has("normal") ? read_direction(table, "normal") : std::array<double, 3>{0, 0, 1};
     layers.normal = {normal[0], normal[1], normal[2]};
-    if (!(layers.normal.norm() > 0)) table.fail("normal", "a direction other than 0");
     layers.thickness = table.quantity("thickness", dimension::length);
     if (!(layers.thickness > 0)) table.fail("thickness", "more than 0");
     for (const std::string& angle : table.strings("angles")) layers.angles.push_back(read_angle(table, angle));
@@ -102,12 +102,8 @@ void read_recipe(TableReader table, BodySource& source) {
 }
 
 std::filesystem::path found_file(const TableReader& table, const std::string& key, const std::string& name) {
-    std::filesystem::path file = name;
-    if (file.is_relative() && !std::filesystem::exists(file)) {
-        const std::filesystem::path beside = std::filesystem::path(table.file()).parent_path() / file;
-        if (std::filesystem::exists(beside)) file = beside;
-    }
-    if (!std::filesystem::is_regular_file(file)) table.fail(key, fmt::format("an existing file (not '{}')", name));
+    std::filesystem::path file = find_beside(name, table.file());
+    if (!is_file(file)) table.fail(key, fmt::format("an existing file (not '{}')", name));
     return file;
 }
 

@@ -141,6 +141,9 @@ TEST(Obj, NamesWhatIsWrong) {
     const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     EXPECT_EQ(complaint(parse_obj, v), "body:3: expected at least one face (an 'f' row)");
     EXPECT_EQ(complaint(parse_obj, v + "f 1 2\n"), "body:4: f: expected three corners or more (this face has 2)");
+    std::string polygon = "f";
+    for (int corner = 0; corner < 1001; ++corner) polygon += " 1";
+    EXPECT_EQ(complaint(parse_obj, v + polygon + "\n"), "body:4: f: expected at most 1000 corners (this face has 1001: split it)");
     EXPECT_EQ(complaint(parse_obj, v + "f 1 2 4\n"), "body:4: f: expected vertices from 1 to 3, not 4");
     EXPECT_EQ(complaint(parse_obj, v + "f 1 2 0\n"), "body:4: f: expected vertices from 1 to 3, not 0");
     EXPECT_EQ(complaint(parse_obj, v + "f 1 2 x/1\n"), "body:4: f: expected vertex numbers, not 'x/1'");

@@ -1,7 +1,7 @@
 # The package: find_package(cleave) gives cleave::solver, the whole method; cleave::NAME its parts, by folder.
 include(CMakePackageConfigHelpers)
 
-set(parts input material mesh gmsh surface mesher recipes particles elasticity equilibrium contact fracture subdivision fragments rigid)
+set(parts input parallel material mesh gmsh surface mesher recipes particles elasticity equilibrium contact fracture subdivision fragments rigid)
 set(libraries ${parts})
 list(TRANSFORM libraries PREPEND cleave_)
 foreach(part IN LISTS parts)

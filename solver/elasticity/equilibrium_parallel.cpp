@@ -8,9 +8,8 @@ double dot(const Vectors& a, const Vectors& b) {
     constexpr int block = 4096;
     const int count = static_cast<int>(a.size()), blocks = (count + block - 1) / block;
     std::vector<double> part(blocks, 0);
-    tbb::parallel_for(tbb::blocked_range<int>(0, blocks), [&](const tbb::blocked_range<int>& range) {
-        for (int n = range.begin(); n != range.end(); ++n)
-            for (int i = n * block; i < std::min(count, (n + 1) * block); ++i) part[n] += a[i].dot(b[i]);
+    parallel::for_each(blocks, [&](int n) {
+        for (int i = n * block; i < std::min(count, (n + 1) * block); ++i) part[n] += a[i].dot(b[i]);
     });
     double sum = 0;
     for (const double value : part) sum += value;

@@ -1,8 +1,7 @@
 #include "solver/simulation/simulation.hpp"
 
+#include "solver/parallel/for_each.hpp"
 #include "solver/simulation/stopwatch.hpp"
-
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +75,7 @@ rigid::Motion Simulation::motion(const Piece& piece) const { return piece.rigid 
 /// Forms are found in parallel, numbers given in order.
 void Simulation::add_pieces(int body, const std::vector<int>& fragments, const rigid::Motion& motion, const FieldCentre& centre) {
     std::vector<FragmentForm> forms(fragments.size());
-    oneapi::tbb::parallel_for(std::size_t{0}, forms.size(), [&](std::size_t i) { forms[i] = bodies_[body]->form(fragments[i]); });
+    parallel::for_each(forms.size(), [&](std::size_t i) { forms[i] = bodies_[body]->form(fragments[i]); });
     std::vector<int> siblings;
     for (std::size_t i = 0; i < fragments.size(); ++i) {
         FragmentForm& form = forms[i];

@@ -1,7 +1,8 @@
 #include "solver/simulation/vtu_file.hpp"
 
+#include "solver/parallel/for_each.hpp"
+
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ VtuArray byte_array(const std::string& name, const std::vector<std::uint8_t>& va
 void compress(VtuArray& array) {
     const std::size_t blocks = (array.bytes.size() + block_size - 1) / block_size;
     std::vector<std::string> parts(blocks);
-    oneapi::tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t i) {
+    parallel::for_each(blocks, [&](std::size_t i) {
         const std::size_t first = i * block_size;
         parts[i] = deflated(array.bytes.data() + first, std::min(block_size, array.bytes.size() - first));
     });

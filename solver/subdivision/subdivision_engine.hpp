@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/mesh/tet_mesh.hpp"
+#include "solver/parallel/workers.hpp"
 #include "solver/subdivision/buffer.hpp"
 #include "solver/subdivision/canonical_mesh.hpp"
 #include "solver/subdivision/child_writer.hpp"
@@ -13,7 +14,6 @@
 #include "solver/subdivision/piece_tables.hpp"
 #include "solver/subdivision/subdivided.hpp"
 #include "solver/subdivision/tet_boxes.hpp"
-#include "solver/subdivision/workers.hpp"
 
 #include <array>
 #include <cstdint>
@@ -127,7 +127,7 @@ private:
     int first_new_child_ = 0;        ///< of the current cut
     std::vector<Buffer<LooseFace>> chunk_loose_;      ///< per chunk of parents, where several threads write
     std::vector<Buffer<std::uint64_t>> chunk_found_;  ///< per chunk of boxes, where several threads search
-    Workers workers_;
+    parallel::Workers workers_;
     int cuts_ = 0;                   ///< so far; the current cut's number
     Counts counts_;
     Buffer<std::array<int, 4>> child_tets_, child_links_;

@@ -111,7 +111,7 @@ TEST(Dependence, ReportsReadFilesOnly) {
 }
 
 TEST(Dependence, SolverFoldersUseOnlyThoseBeforeThem) {
-    const std::vector<std::string> order{"input", "material", "mesh", "particles", "elasticity", "contact", "fracture", "subdivision",
+    const std::vector<std::string> order{"input", "parallel", "material", "mesh", "particles", "elasticity", "contact", "fracture", "subdivision",
                                          "fragments", "rigid", "simulation"};
     for (std::size_t i = 0; i < order.size(); ++i) {
         if (!fs::exists(root / "solver" / order[i])) continue;

@@ -4,7 +4,9 @@
 #include <functional>
 #include <memory>
 
-namespace cleave::subdivision {
+namespace cleave::parallel {
+
+class Arena;
 
 /// Threads that share out chunks of work.
 class Workers {
@@ -20,8 +22,7 @@ public:
     void for_chunks(std::size_t chunks, const std::function<void(std::size_t)>& work) const;
 
 private:
-    struct Arena;
     std::unique_ptr<Arena> arena_;  ///< none for one thread
 };
 
-}  // namespace cleave::subdivision
+}  // namespace cleave::parallel

@@ -93,11 +93,11 @@ void plain_beside_engine(benchmark::State& state, LazyCase& source) {
 }
 
 /// The floor alone.
-void pure_stores(benchmark::State& state, LazyCase& source) {
+void pure_stores(benchmark::State& state, LazyCase& source, void (PureStores::*run)()) {
     const EngineBench bench(source.get());
     PureStores stores = bench.stores();
     for (auto _ : state) {
-        stores.run();
+        (stores.*run)();
         benchmark::ClobberMemory();
     }
     count_work(state, bench);
@@ -195,8 +195,12 @@ void register_body(const std::string& name, const std::shared_ptr<LazyCase>& bod
     add("vtk_alternated", vtk_alternated);
     add("vtk_one_shot", vtk_one_shot);
 #endif
-    benchmark::RegisterBenchmark(("subdivision/stores/" + name).c_str(), [body](benchmark::State& state) { pure_stores(state, *body); })
-        ->Unit(benchmark::kMicrosecond);
+    const auto add_floor = [&](const char* kind, void (PureStores::*run)()) {
+        const auto row = [body, run](benchmark::State& state) { pure_stores(state, *body, run); };
+        benchmark::RegisterBenchmark(("subdivision/" + std::string(kind) + "/" + name).c_str(), row)->Unit(benchmark::kMicrosecond);
+    };
+    add_floor("stores", &PureStores::run);
+    add_floor("stores_past_caches", &PureStores::run_past_caches);
 }
 
 /// A cube's rows, those of its fixed disc and of two threads among them.

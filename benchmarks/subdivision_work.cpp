@@ -5,6 +5,10 @@
 #include "solver/mesh/test/test_meshes.hpp"
 
 #include <fmt/format.h>
+#include <immintrin.h>
+
+#include <algorithm>
+#include <cstddef>
 
 namespace cleave::benchmarks {
 
@@ -35,6 +39,27 @@ void PureStores::run() {
         volumes_[k] = 1.0 * k;
         parents_[k] = turn_ + k;
     }
+}
+
+void PureStores::run_past_caches() {
+    ++turn_;
+    constexpr std::size_t chunk = 512;  // children: whole lines of every array
+    const __m256i value = _mm256_set1_epi32(turn_);
+    const auto stream = [&](auto& array, std::size_t first, std::size_t last) {
+        auto* at = reinterpret_cast<std::byte*>(array.data() + first);
+        auto* end = reinterpret_cast<std::byte*>(array.data() + std::min(last, array.size()));
+        for (; at + sizeof value <= end; at += sizeof value) _mm256_stream_si256(reinterpret_cast<__m256i*>(at), value);
+        std::fill(at, end, std::byte(turn_));
+    };
+    stream(points_, 0, points_.size());
+    for (std::size_t first = 0; first < tets_.size(); first += chunk) {
+        stream(tets_, first, first + chunk);
+        stream(links_, first, first + chunk);
+        stream(centroids_, first, first + chunk);
+        stream(volumes_, first, first + chunk);
+        stream(parents_, first, first + chunk);
+    }
+    _mm_sfence();
 }
 
 std::size_t PureStores::bytes() const {

@@ -29,12 +29,14 @@ subdivision::Cut fixed_disc_in(int cells);
 
 /// What a subdivision of this size writes, and nothing else: connectivity (16 bytes a child), links (16), centroid (24), volume
 /// (8), parent (4), child by child as a subdivision does, and 24 bytes a new point, into arrays on huge pages as the engine's. The floor
-/// under every subdivision on this machine.
+/// under a subdivision by ordinary stores.
 class PureStores {
 public:
     PureStores(int children, int points);
     /// Writes every byte once.
     void run();
+    /// The same by stores past the caches, array by array in chunks: the fastest way to memory, of use only to who has whole lines to write.
+    void run_past_caches();
     std::size_t bytes() const;
 
 private:

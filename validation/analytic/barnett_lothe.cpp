@@ -24,18 +24,6 @@ Point normal_to(const Point& axis) {
     return combine(1 / std::sqrt(product(n, n)), n, 0, n);
 }
 
-/// (ab)_ik = C_ijkl a_j b_l.
-Matrix contracted(const Stiffness& c, const Point& a, const Point& b) {
-    Matrix result{};
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k)
-            for (int j = 0; j < 3; ++j)
-                for (int l = 0; l < 3; ++l)
-                    result[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] +=
-                        component(c, i, j, k, l) * a[static_cast<std::size_t>(j)] * b[static_cast<std::size_t>(l)];
-    return result;
-}
-
 Matrix product_of(const Matrix& a, const Matrix& b) {
     Matrix result{};
     for (std::size_t i = 0; i < 3; ++i)
@@ -47,6 +35,17 @@ Matrix product_of(const Matrix& a, const Matrix& b) {
 constexpr int nodes = 256;
 
 }  // namespace
+
+Matrix contracted(const Stiffness& c, const Point& a, const Point& b) {
+    Matrix result{};
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+            for (int j = 0; j < 3; ++j)
+                for (int l = 0; l < 3; ++l)
+                    result[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] +=
+                        component(c, i, j, k, l) * a[static_cast<std::size_t>(j)] * b[static_cast<std::size_t>(l)];
+    return result;
+}
 
 double product(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 

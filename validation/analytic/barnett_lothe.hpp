@@ -6,6 +6,9 @@ namespace cleave::analytic {
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
+/// (ab)_ik = C_ijkl a_j b_l, in Pa for unit vectors.
+Matrix contracted(const Stiffness& stiffness, const Point& a, const Point& b);
+
 /// Axes of a crack front, in the axes of the body: ahead (growth), normal to the crack, along the front; right-handed unit vectors.
 using CrackAxes = std::array<Point, 3>;
 

@@ -1,5 +1,7 @@
 #include "validation/analytic/plane_waves.hpp"
 
+#include "validation/analytic/barnett_lothe.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,13 +13,7 @@ SymmetricFunctions symmetric_functions(const std::array<double, 3>& numbers) {
 }
 
 SymmetricFunctions christoffel_functions(const Stiffness& stiffness, const Point& direction) {
-    Gradient gamma{};
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k)
-            for (int j = 0; j < 3; ++j)
-                for (int l = 0; l < 3; ++l)
-                    gamma[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] +=
-                        component(stiffness, i, j, k, l) * direction[static_cast<std::size_t>(j)] * direction[static_cast<std::size_t>(l)];
+    const Matrix gamma = contracted(stiffness, direction, direction);
     const auto minor = [&](std::size_t a, std::size_t b) { return gamma[a][a] * gamma[b][b] - gamma[a][b] * gamma[b][a]; };
     const double determinant = gamma[0][0] * minor(1, 2) - gamma[0][1] * (gamma[1][0] * gamma[2][2] - gamma[1][2] * gamma[2][0]) +
                                gamma[0][2] * (gamma[1][0] * gamma[2][1] - gamma[1][1] * gamma[2][0]);

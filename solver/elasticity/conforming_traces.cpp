@@ -2,6 +2,7 @@
 
 #include "solver/elasticity/conforming_walls.hpp"
 #include "solver/elasticity/equilibrium_parallel.hpp"
+#include "solver/particles/nearest.hpp"
 #include "solver/particles/smoothing_tensor.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -20,7 +21,7 @@ namespace {
 constexpr double spanned = 1e-12;
 /// Fits nearer to each other, or to a limit of the rule, than this part count as equal. On a lattice they are: two layers extrapolate with
 /// |2| + |-1| = 3, the limit itself, and which fit is taken must not hang on rounding, nor by it on the particles' numbers.
-constexpr double alike = 1e-9;
+using particles::alike;
 
 /// The spiky kernel's shape (Eq. 4); its factor cancels in a fit.
 double bell(double q) { return q < 1 ? (1 - q) * (1 - q) * (1 - q) : 0; }

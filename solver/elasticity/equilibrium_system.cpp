@@ -125,8 +125,8 @@ void solve_system(const EquilibriumSystem& system, const EquilibriumOptions& opt
     solve_by_cg(system, options, force, displacement, report);
     // The recursion's residual and the true one part where K is so badly conditioned that rounding rules.
     if (report.iterations >= options.max_iterations || !(report.residual <= 100 * options.tolerance)) {
-        throw NotConverged(fmt::format("equilibrium: residual {:.3g} after {} iterations, {:.3g} asked for", report.residual,
-                                             report.iterations, options.tolerance));
+        throw NotConverged(fmt::format("equilibrium: residual {:.3g} after {} iterations, {:.3g} asked for", report.residual, report.iterations,
+                                       options.tolerance));
     }
 }
 

@@ -8,7 +8,7 @@
 
 namespace cleave::particles {
 
-/// Lengths nearer to each other than this part of their size are equal: on lattices and in mirrored bodies they are but for rounding, and the
+/// Lengths, and other measures, nearer to each other than this part of their size are equal: on lattices and in mirrored bodies they are but for rounding, and the
 /// rounding of a centroid depends on the order in which a tet lists its vertices.
 inline constexpr double alike = 1e-9;
 

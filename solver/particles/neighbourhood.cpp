@@ -1,6 +1,7 @@
 #include "solver/particles/neighbourhood.hpp"
 
 #include "solver/particles/kernel.hpp"
+#include "solver/particles/nearest.hpp"
 
 #include <Eigen/SVD>
 
@@ -10,10 +11,7 @@ namespace cleave::particles {
 
 namespace {
 
-/// Moments nearer to each other than this part are equal: no choice hangs on rounding, nor by it on the particles' numbers.
-constexpr double alike = 1e-9;
-
-/// How good a neighbourhood is: first by having enough neighbours, then by its smallest moment.
+/// How good a neighbourhood is: first by having enough neighbours, then by its smallest moment, where `alike` ones are equal.
 struct Quality {
     bool enough = false;
     double moment = 0;

@@ -2,7 +2,7 @@
 
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
-#include "solver/input/threads.hpp"
+#include "solver/parallel/on_threads.hpp"
 #include "solver/simulation/frame_grid.hpp"
 #include "solver/simulation/stopwatch.hpp"
 
@@ -102,7 +102,7 @@ RunResult run_on_these_threads(const Scene& scene, const RunOptions& options, Ru
 
 RunResult run_scene(const Scene& scene, const RunOptions& options) {
     const RunTimes times{.threads = options.threads > 0 ? options.threads : oneapi::tbb::info::default_concurrency()};
-    return on_threads(times.threads, [&] { return run_on_these_threads(scene, options, times); });
+    return parallel::on_threads(times.threads, [&] { return run_on_these_threads(scene, options, times); });
 }
 
 }  // namespace cleave::simulation

@@ -1,6 +1,7 @@
 #include "validation/studies/material_sweep.hpp"
 
 #include "solver/input/file_io.hpp"
+#include "solver/input/read_values.hpp"
 #include "validation/studies/tensor_checks.hpp"
 #include "validation/symmetry_class.hpp"
 
@@ -164,12 +165,7 @@ private:
     }
 };
 
-int whole(TableReader& table, const std::string& key, long least) {
-    constexpr long most = 100'000;
-    const long value = table.integer(key);
-    if (value < least || value > most) table.fail(key, fmt::format("an integer from {} to {}", least, most));
-    return static_cast<int>(value);
-}
+constexpr int most_tensors = 100'000;
 
 std::shared_ptr<const Study> read(TableReader& table) {
     auto study = std::make_shared<MaterialSweep>();
@@ -179,10 +175,10 @@ std::shared_ptr<const Study> read(TableReader& table) {
         study->table = read_stiffness_csv(study->csv);
     }
     study->seed = static_cast<std::uint64_t>(table.integer("seed"));
-    study->quick_random = whole(table, "quick_random", 8);
-    study->full_random = whole(table, "full_random", 8);
-    study->quick_pennies = whole(table, "quick_pennies", 1);
-    study->full_pennies = whole(table, "full_pennies", 1);
+    study->quick_random = read_integer(table, "quick_random", 8, most_tensors);
+    study->full_random = read_integer(table, "full_random", 8, most_tensors);
+    study->quick_pennies = read_integer(table, "quick_pennies", 1, most_tensors);
+    study->full_pennies = read_integer(table, "full_pennies", 1, most_tensors);
     study->size = table.quantity("size", dimension::length);
     if (!(study->size >= 0.02 && study->size <= 1)) table.fail("size", "a length from 2 cm to 1 m, of elements in a block of 1 m");
     study->penny_size = table.number("penny_size");

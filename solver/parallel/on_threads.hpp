@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace cleave {
+namespace cleave::parallel {
 
 /// Returns work(), which may use up to `threads` > 0 threads of oneTBB, however many cores there are: an arena of its own, since the usual one
 /// has only as many places as the machine has cores.
@@ -17,4 +17,4 @@ decltype(auto) on_threads(int threads, const Work& work) {
     return arena.execute(work);
 }
 
-}  // namespace cleave
+}  // namespace cleave::parallel

@@ -19,7 +19,7 @@ struct Arguments {
     std::vector<std::string> names, sets, from;
     std::string level = "quick", ladder, out = "out/validate", shard, compare;
     bool list = false, reuse = false;
-    int jobs = 1;
+    int jobs = 1, threads = 0;
 };
 
 Overrides overrides_of(const Arguments& arguments) {
@@ -92,7 +92,7 @@ int write_results(const std::vector<FinishedCase>& cases, const std::string& lev
 
 int run(const Arguments& arguments) {
     const std::vector<FinishedCase> finished =
-        run_suite(read_all(arguments), {arguments.level, arguments.out, arguments.jobs, arguments.reuse},
+        run_suite(read_all(arguments), {arguments.level, arguments.out, arguments.jobs, arguments.reuse, arguments.threads},
                   [](std::size_t, FinishedCase& one) { print(one.result); });
     write_file_atomic(std::filesystem::path(arguments.out) / "provenance.json", provenance_json(arguments.level));
     return write_results(finished, arguments.level, arguments);
@@ -112,6 +112,7 @@ int body(int argc, char** argv) {
     app.add_option("--set", arguments.sets, "replace a value: KEY=VALUE with a dotted key")->allow_extra_args(false);
     app.add_option("--out", arguments.out, "folder of the results");
     app.add_option("--jobs", arguments.jobs, "cases that run at the same time")->check(CLI::Range(1, 1024));
+    app.add_option("--threads", arguments.threads, "threads of each case; default: its share of the cores. The numbers do not depend on it")->check(CLI::Range(1, 1024));
     app.add_flag("--reuse", arguments.reuse, "keep the finished cases of an earlier, perhaps interrupted, run into the same folder");
     app.add_option("--shard", arguments.shard, "I/N: every N-th case, starting with the I-th");
     app.add_option("--from", arguments.from, "folders of shards: run nothing, put their results together");

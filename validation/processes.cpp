@@ -1,9 +1,9 @@
 #include "validation/processes.hpp"
 
 #include "solver/input/input_error.hpp"
+#include "solver/parallel/on_threads.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -38,12 +38,12 @@ int guarded(const std::function<void()>& body) try {
     return static_cast<int>(ExitCode::bug);
 }
 
-[[noreturn]] void child(std::size_t count, int jobs, SharedCounter& counter, const std::function<void(std::size_t)>& work) {
+[[noreturn]] void child(std::size_t count, int threads, SharedCounter& counter, const std::function<void(std::size_t)>& work) {
     prctl(PR_SET_PDEATHSIG, SIGTERM);  // a parent that is killed leaves nothing running
     const int code = guarded([&] {
-        const std::size_t cores = std::max(1U, std::thread::hardware_concurrency() / static_cast<unsigned>(jobs));
-        const tbb::global_control share(tbb::global_control::max_allowed_parallelism, cores);
-        for (std::size_t i = counter.next(); i < count; i = counter.next()) work(i);
+        parallel::on_threads(threads, [&] {
+            for (std::size_t i = counter.next(); i < count; i = counter.next()) work(i);
+        });
     });
     std::fflush(nullptr);
     ::_exit(code);  // without the parent's destructors
@@ -79,13 +79,14 @@ SharedCounter::~SharedCounter() { ::munmap(memory_, sizeof(Counter)); }
 std::size_t SharedCounter::next() { return static_cast<Counter*>(memory_)->fetch_add(1); }
 std::size_t SharedCounter::value() const { return static_cast<const Counter*>(memory_)->load(); }
 
-int run_in_processes(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
+int run_in_processes(std::size_t count, int jobs, int threads, const std::function<void(std::size_t)>& work) {
+    if (threads == 0) threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / jobs);
     std::fflush(nullptr);  // what is buffered would be written by every child
     SharedCounter counter;
     std::vector<pid_t> children;
     for (int i = 0; i < jobs; ++i) {
         const pid_t made = ::fork();
-        if (made == 0) child(count, jobs, counter, work);
+        if (made == 0) child(count, threads, counter, work);
         if (made < 0) break;
         children.push_back(made);
     }

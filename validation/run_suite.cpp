@@ -1,5 +1,6 @@
 #include "validation/run_suite.hpp"
 
+#include "solver/parallel/on_threads.hpp"
 #include "validation/processes.hpp"
 #include "validation/runner.hpp"
 
@@ -63,6 +64,13 @@ std::size_t steps_of(const std::vector<Case>& cases, const std::vector<std::size
     return steps;
 }
 
+void run_here(std::size_t k, int threads, const std::function<void(std::size_t)>& work) {
+    if (threads == 0)
+        work(k);
+    else
+        parallel::on_threads(threads, [&] { work(k); });
+}
+
 }  // namespace
 
 std::vector<FinishedCase> run_suite(const std::vector<Case>& cases, const SuiteOptions& options,
@@ -75,12 +83,13 @@ std::vector<FinishedCase> run_suite(const std::vector<Case>& cases, const SuiteO
     const bool parallel = options.jobs > 1 && open.size() > 1;
     if (parallel) {
         for (const std::size_t i : open) store.remove(cases[i]);  // an earlier run's file must not stand in for one that fails now
-        if (const int code = run_in_processes(open.size(), std::min(options.jobs, static_cast<int>(open.size())), run_and_save)) throw SuiteFailed{code};
+        const int jobs = std::min(options.jobs, static_cast<int>(open.size()));
+        if (const int code = run_in_processes(open.size(), jobs, options.threads, run_and_save)) throw SuiteFailed{code};
     }
     std::vector<FinishedCase> all;
     for (std::size_t i = 0, k = 0; i < cases.size(); ++i) {
         if (k < open.size() && open[k] == i) {
-            if (!parallel) run_and_save(k);
+            if (!parallel) run_here(k, options.threads, run_and_save);
             ++k;
         }
         std::optional<FinishedCase> one = store.find(cases[i]);

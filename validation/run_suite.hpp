@@ -11,6 +11,7 @@ struct SuiteOptions {
     std::filesystem::path out;
     int jobs = 1;        ///< processes
     bool reuse = false;  ///< cases that OUT/cases holds finished, from the same inputs and program, are not run again
+    int threads = 0;     ///< threads of a process; 0: its share of the cores. The results do not depend on it, to the byte
 };
 
 /// Runs the cases and returns them in their order, whatever the number of processes; progress goes to stderr. `finished` is called in that

@@ -102,6 +102,15 @@ done
 expect "a second run" 0 "rows unchanged" "$validate" good.toml --out again --compare good/results.json
 cmp -s good/results.json again/results.json || fail "two runs differ"
 
+# Any number of threads gives the same bytes, particles, finite elements and studies alike; other numbers give others.
+threaded='patch_triclinic equilibrium_laminate contact_half_space fem_manufactured'
+for threads in 1 2 3 8; do
+  # shellcheck disable=SC2086
+  expect "cases by $threads threads" 0 " 0 failed" "$validate" $threaded --threads $threads --out "by$threads"
+  cmp -s by1/results.json "by$threads/results.json" || fail "1 and $threads threads give different numbers"
+done
+expect "no threads" 2 "--threads" "$validate" good.toml --threads 0 --out bad
+
 # The results follow their schema; a broken one does not.
 check_schema() {
   python3 - "$schema" "$1" <<'EOF'

@@ -149,8 +149,8 @@ TEST_F(RunSuite, MergedShardsAreTheUnsplitRunToTheByte) {
 }
 
 TEST(Processes, AnEndBySignalIsABug) {
-    EXPECT_EQ(run_in_processes(4, 2, [](std::size_t i) { if (i == 1) ::raise(SIGKILL); }), static_cast<int>(ExitCode::bug));
-    EXPECT_EQ(run_in_processes(4, 2, [](std::size_t) {}), 0);
+    EXPECT_EQ(run_in_processes(4, 2, 1, [](std::size_t i) { if (i == 1) ::raise(SIGKILL); }), static_cast<int>(ExitCode::bug));
+    EXPECT_EQ(run_in_processes(4, 2, 0, [](std::size_t) {}), 0);
 }
 
 }  // namespace

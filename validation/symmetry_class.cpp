@@ -91,6 +91,15 @@ bool orthogonal(const std::vector<Vector3d>& normals) {
     return true;
 }
 
+/// Distance to the nearest isotropic tensor (the mean over all rotations: Kelvin's 3K once, 2G five times), relative.
+double distance_to_isotropy(const Matrix6d& tensor) {
+    Matrix6d spherical = Matrix6d::Zero();
+    spherical.topLeftCorner<3, 3>().setConstant(1.0 / 3);
+    const Matrix6d deviatoric = Matrix6d::Identity() - spherical;
+    const Matrix6d nearest = (spherical * tensor).trace() * spherical + (deviatoric * tensor).trace() / 5 * deviatoric;
+    return (tensor - nearest).norm() / tensor.norm();
+}
+
 /// Infinitely many planes: about one axis, or about all. Three mirrors that are no plane of a transversely isotropic tensor tell.
 std::string round_class(const Matrix6d& tensor, double tolerance) {
     for (const Vector3d& n : half_sphere())
@@ -107,6 +116,11 @@ const std::vector<std::string>& symmetry_classes() {
 
 std::string symmetry_class(const material::Stiffness& stiffness, double tolerance) {
     const Matrix6d tensor = kelvin(stiffness);
+    const double anisotropy = distance_to_isotropy(tensor);
+    if (anisotropy < tolerance) return "isotropic";
+    // Mirroring changes the anisotropic part only, by at most twice its size: where that is small, a fixed tolerance would accept planes that
+    // are none.
+    tolerance = std::min(tolerance, anisotropy / 4);
     const std::vector<Vector3d> normals = mirror_normals(tensor, tolerance, 9);
     switch (normals.size()) {
         case 0: return "triclinic";

@@ -45,6 +45,22 @@ TEST(SymmetryClass, MaterialsAsTheirCrystalsAre) {
         EXPECT_EQ(symmetry_class(material::find_material(name).stiffness), symmetry) << name;
 }
 
+material::Stiffness cubic(double c11, double c12, double c44) {
+    material::Stiffness c = material::Stiffness::Zero();
+    c.topLeftCorner<3, 3>().setConstant(c12);
+    c.diagonal() << c11, c11, c11, c44, c44, c44;
+    return c;
+}
+
+// One per cent off isotropy the anisotropic part is as small as the tolerance: planes that are none must not count.
+TEST(SymmetryClass, NearlyIsotropic) {
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.83, Eigen::Vector3d(1, -2, 0.7).normalized()).toRotationMatrix();
+    const material::Stiffness barely = cubic(165.7, 63.9, 51.4);
+    EXPECT_EQ(symmetry_class(barely), "cubic");
+    EXPECT_EQ(symmetry_class(material::rotate_stiffness(barely, turn)), "cubic");
+    EXPECT_EQ(symmetry_class(cubic(165.7, 63.9, 50.95)), "isotropic");
+}
+
 // The must-fail twin: a change ten times the tolerance takes a tensor out of its class.
 TEST(SymmetryClass, ASmallCouplingIsSeen) {
     material::Stiffness c = form_of("cubic");

@@ -3,6 +3,7 @@
 #include "validation/adapters/level.hpp"
 #include "validation/norms.hpp"
 #include "validation/solutions.hpp"
+#include "validation/suite.hpp"
 
 #include <unistd.h>
 
@@ -42,7 +43,7 @@ public:
     };
     /// Reads the mesh, solves, gives stresses; the mesh was made before. `error`: rms of the stress over rms of the exact one.
     Answer answer(const std::string& solver, double size) {
-        if (!case_) case_ = validation::read_cases(CLEAVE_CASE_FOLDER "/equilibrium_manufactured.toml", {}).front();
+        if (!case_) case_ = validation::read_cases((validation::case_folder() / "equilibrium_manufactured.toml").string(), {}).front();
         validation::LevelSources sources(*case_, size, folder_);
         Answer result{};
         result.seconds = processor_seconds([&] { sources.get(solver); });

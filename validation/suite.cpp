@@ -23,11 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path case_folder() {
-    if (const char* folder = std::getenv("CLEAVE_CASES")) return folder;
-    return CLEAVE_CASE_FOLDER;
-}
-
 std::string cpu_model() {
     std::ifstream info("/proc/cpuinfo");
     for (std::string line; std::getline(info, line);)
@@ -51,6 +46,11 @@ std::string tier_and_about(const fs::path& file) {
 }
 
 }  // namespace
+
+fs::path case_folder() {
+    if (const char* folder = std::getenv("CLEAVE_CASES")) return folder;
+    return CLEAVE_CASE_FOLDER;
+}
 
 std::vector<fs::path> shipped_case_files() {
     if (!fs::is_directory(case_folder())) throw EnvironmentError(fmt::format("{}: the folder of the shipped cases is missing", case_folder().string()));

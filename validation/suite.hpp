@@ -9,6 +9,9 @@
 
 namespace cleave::validation {
 
+/// Where the shipped cases lie: the environment's CLEAVE_CASES, or the folder of the source tree.
+std::filesystem::path case_folder();
+
 /// Files of the shipped cases, sorted by name.
 std::vector<std::filesystem::path> shipped_case_files();
 

@@ -143,7 +143,7 @@ TEST(Case, ACheckForOneSizeEndsItsLadderThere) {
 }
 
 TEST(Case, OnGradedMeshesOnlyQuantitiesOfTheFrontHaveAnOrder) {
-    std::ifstream file(std::string(CLEAVE_CASE_FOLDER) + "/fracture_corner.toml");
+    std::ifstream file(case_folder() / "fracture_corner.toml");
     std::string text{std::istreambuf_iterator<char>(file), {}};
     EXPECT_EQ(error_of(text), "no error");
     const std::string band = "band = { relative = 0.2 }";

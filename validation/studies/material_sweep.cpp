@@ -113,11 +113,11 @@ public:
     std::uint64_t seed = 1;
     int quick_random = 0, full_random = 0;  ///< random tensors
     int quick_pennies = 0, full_pennies = 0;  ///< the first random tensors (of a table: the first tensors), whose penny crack is solved
-    double size = 0, penny_size = 0;
+    double size = 0, penny_size = 0, full_penny_size = 0;
 
     StudyOutcome run(const StudyContext& context) const override {
         const bool full = context.level == "full";
-        const SweepBodies bodies{file, context.meshes, size, penny_size};
+        const SweepBodies bodies{file, context.meshes, size, full ? full_penny_size : penny_size};
         std::vector<Tried> all;
         StudyOutcome outcome;
         for (SweepTensor& tensor : csv.empty() ? default_tensors(full ? full_random : quick_random, seed) : sweep_tensors(table, seed)) {
@@ -167,6 +167,12 @@ private:
 
 constexpr int most_tensors = 100'000;
 
+double read_penny_size(TableReader& table, const std::string& key) {
+    const double size = table.number(key);
+    if (!(size >= 0.02 && size <= 0.5)) table.fail(key, "a number from 0.02 to 0.5, of elements at the front over its radius");
+    return size;
+}
+
 std::shared_ptr<const Study> read(TableReader& table) {
     auto study = std::make_shared<MaterialSweep>();
     study->file = table.file();
@@ -181,8 +187,8 @@ std::shared_ptr<const Study> read(TableReader& table) {
     study->full_pennies = read_integer(table, "full_pennies", 1, most_tensors);
     study->size = table.quantity("size", dimension::length);
     if (!(study->size >= 0.02 && study->size <= 1)) table.fail("size", "a length from 2 cm to 1 m, of elements in a block of 1 m");
-    study->penny_size = table.number("penny_size");
-    if (!(study->penny_size >= 0.02 && study->penny_size <= 0.5)) table.fail("penny_size", "a number from 0.02 to 0.5, of elements at the front over its radius");
+    study->penny_size = read_penny_size(table, "penny_size");
+    study->full_penny_size = table.has("full_penny_size") ? read_penny_size(table, "full_penny_size") : study->penny_size;
     return study;
 }
 
@@ -191,7 +197,7 @@ std::shared_ptr<const Study> read(TableReader& table) {
 StudyInfo material_sweep_study() {
     return {"material_sweep",
             "many tensors, catalogue and random or a user's table of 21 constants: patch test, bar, wave speeds, energy release rate; the worst by name",
-            {"csv", "seed", "quick_random", "full_random", "quick_pennies", "full_pennies", "size", "penny_size"},
+            {"csv", "seed", "quick_random", "full_random", "quick_pennies", "full_pennies", "size", "penny_size", "full_penny_size"},
             {{"patch_error", dimension::none},
              {"bar_modulus_error", dimension::none},
              {"wave_speed_error", dimension::none},

@@ -131,6 +131,7 @@ TEST(MaterialSweep, MistakesInTheTableAndTheKeysAreNamed) {
     EXPECT_NE(error_of(with(text, "\"tensors.csv\"", "\"none.csv\"")).find("sweep.toml:6: study.csv: expected an existing file"), std::string::npos);
     EXPECT_NE(error_of(with(text, "\"0.4 m\"", "\"4 m\"")).find("study.size: expected a length from 2 cm to 1 m"), std::string::npos);
     EXPECT_NE(error_of(with(text, "quick_random = 8", "quick_random = 7")).find("study.quick_random: expected an integer from 8"), std::string::npos);
+    EXPECT_NE(error_of(with(text, "penny_size = 0.2", "penny_size = 0.2\nfull_penny_size = 0")).find("study.full_penny_size: expected a number from"), std::string::npos);
     EXPECT_NE(error_of(with(text, "penny_size = 0.2", "penny_size = 2")).find("study.penny_size: expected a number from"), std::string::npos);
 }
 

@@ -106,7 +106,7 @@ const BodyMaterial& SceneBody::material_of_region(int region) const {
 
 void SceneBody::set_materials() {
     for (const auto& [name, unused] : spec_.region_materials) {
-        const auto has = [&](const auto& region) { return region.second == name; };
+        const auto has = [&name = name](const auto& region) { return region.second == name; };
         if (std::none_of(mesh_.region_names.begin(), mesh_.region_names.end(), has))
             throw InputError("", fmt::format("region_materials of {}", spec_.name), fmt::format("names of the mesh's regions (not '{}')", name));
     }

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #define TOML_EXCEPTIONS 1
+// A table's name that begins with no letter ("[;body]") fails an assertion of toml++ before it becomes the error that it is.
+#define TOML_ASSERT(condition) static_cast<void>(0)
 #include <toml++/toml.h>
 
 #include <algorithm>

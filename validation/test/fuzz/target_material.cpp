@@ -20,8 +20,7 @@ sources = { stiffness = "a table" }
 Target material_target() {
     Target target{"material", {turned, "name = \"x\"\nengineering = { E = \"70 GPa\", nu = 0.2 }\n"}, [](const std::string& bytes) {
                       const material::Material found = material::read_material_file(input_file("input.toml", bytes).string());
-                      (void)material::material_text(found);
-                      (void)material::material_json(found).dump();
+                      (void)material::material_text(found);  // not the JSON: its search for extremes takes seconds under the sanitizers
                   }};
     for (const material::CatalogueFile& file : material::catalogue_files()) target.seeds.push_back(file.text);
     return target;

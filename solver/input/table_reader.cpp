@@ -225,6 +225,22 @@ std::shared_ptr<TomlDocument> parse(const std::string& text, const std::string& 
     return document;
 }
 
+/// Its TOML text. Not toml++'s own text of arrays and tables: that breaks lines, by a width which overflows for numbers below 1e-3.
+std::string one_line(const toml::node& node) {
+    std::vector<std::string> parts;
+    if (const toml::array* array = node.as_array()) {
+        for (const toml::node& part : *array) parts.push_back(one_line(part));
+        return fmt::format("[{}]", fmt::join(parts, ", "));
+    }
+    if (const toml::table* table = node.as_table()) {
+        for (const auto& [key, part] : *table) parts.push_back(fmt::format("{} = {}", key.str(), one_line(part)));
+        return fmt::format("{{ {} }}", fmt::join(parts, ", "));
+    }
+    std::ostringstream text;
+    node.visit([&](const auto& value) { text << value; });
+    return text.str();
+}
+
 }  // namespace
 
 TableReader::TableReader(std::shared_ptr<detail::TomlDocument> document) : document_(std::move(document)) {}
@@ -358,9 +374,7 @@ std::filesystem::path TableReader::existing_file(const std::string& key) {
 
 std::string TableReader::raw(const std::string& key) {
     const toml::node& node = require(*document_, key, "a value");
-    std::ostringstream text;
-    node.visit([&](const auto& value) { text << value; });
-    return text.str();
+    return one_line(node);
 }
 
 void TableReader::finish() const { reject_unknown(*document_); }

@@ -3,6 +3,7 @@
 #include "solver/input/file_io.hpp"
 #include "solver/input/input_error.hpp"
 #include "solver/input/paths.hpp"
+#include "solver/input/toml_guard.hpp"
 
 #include <fmt/format.h>
 
@@ -178,42 +179,8 @@ toml::node* step_into(toml::table& table, const std::string& step) {
     return array && array->is_array() && number ? array->as_array()->get(std::stoul(digits)) : nullptr;
 }
 
-/// Where the string that begins at `at` with a quote ends: behind its closing quote, or at the end of the text.
-std::size_t end_of_string(std::string_view text, std::size_t at) {
-    const char quote = text[at];
-    const std::string triple(3, quote);
-    const std::string_view mark = text.substr(at).starts_with(triple) ? std::string_view(triple) : text.substr(at, 1);
-    at += mark.size();
-    while (at < text.size() && !text.substr(at).starts_with(mark)) {
-        if (mark.size() == 1 && text[at] == '\n') return at;  // not closed: toml++ says so
-        at += quote == '"' && text[at] == '\\' ? 2 : 1;
-    }
-    return std::min(at + mark.size(), text.size());
-}
-
-/// toml++ makes and frees a table for each part of a dotted key, by recursion: a key of a million parts would exhaust the stack.
-void require_shallow_keys(std::string_view text, const std::string& name) {
-    constexpr int most_parts = 100;
-    int parts = 1;
-    for (std::size_t at = 0; at < text.size();) {
-        const char c = text[at];
-        if (c == '"' || c == '\'') {
-            at = end_of_string(text, at);
-            continue;
-        }
-        if (c == '#') at = std::min(text.find('\n', at), text.size());
-        if (c == '.') ++parts;
-        else if (std::isalnum(static_cast<unsigned char>(c)) == 0 && std::string_view("_- \t").find(c) == std::string_view::npos) parts = 1;
-        if (parts > most_parts) {
-            const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-            throw InputError(name, static_cast<int>(line), "", fmt::format("keys of at most {} parts", most_parts));
-        }
-        ++at;
-    }
-}
-
 std::shared_ptr<TomlDocument> parse(const std::string& text, const std::string& name) {
-    require_shallow_keys(text, name);
+    require_safe_toml(text, name);
     auto document = std::make_shared<TomlDocument>();
     try {
         document->root = std::make_shared<toml::table>(toml::parse(text, name));
@@ -395,7 +362,7 @@ void TableReader::set(const std::string& dotted_key, const std::string& value_te
         table = next->as_table();
         rest = rest.substr(dot + 1);
     }
-    require_shallow_keys(value_text, document_->file);
+    require_safe_toml(value_text, document_->file);
     try {
         toml::table parsed = toml::parse("value = " + value_text);
         parsed.get("value")->visit([&](auto&& value) { table->insert_or_assign(rest, value); });

@@ -192,7 +192,7 @@ std::shared_ptr<TomlDocument> parse(const std::string& text, const std::string& 
     return document;
 }
 
-/// Its TOML text. Not toml++'s own text of arrays and tables: that breaks lines, by a width which overflows for numbers below 1e-3.
+/// Its TOML text. Not toml++'s own text of arrays and tables: that breaks lines, by a width which overflows for numbers below 0.1.
 std::string one_line(const toml::node& node) {
     std::vector<std::string> parts;
     if (const toml::array* array = node.as_array()) {

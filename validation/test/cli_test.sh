@@ -102,7 +102,7 @@ done
 expect "a second run" 0 "rows unchanged" "$validate" good.toml --out again --compare good/results.json
 cmp -s good/results.json again/results.json || fail "two runs differ"
 
-# Any number of threads gives the same bytes, particles, finite elements and studies alike; other numbers give others.
+# Any number of threads gives the same bytes: particles, finite elements and a study.
 threaded='patch_triclinic equilibrium_laminate contact_half_space fem_manufactured'
 for threads in 1 2 3 8; do
   # shellcheck disable=SC2086

@@ -345,7 +345,7 @@ CaseRun run_case(const Case& of, const RunOptions& options) {
             run.result.rows.push_back(std::move(row));
         }
     for (const auto& [profile, artifact] : drawn)
-        attach(run.result.rows, artifact, [&](const Row& row) { return row.quantity == profile->observable.quantity; });
+        attach(run.result.rows, artifact, [&profile = profile](const Row& row) { return row.quantity == profile->observable.quantity; });
     if (fields) attach(run.result.rows, *fields, of_elements);
     if (stress) attach(run.result.rows, *stress, of_particle_stress);
     for (const Artifact& front : fronts) attach(run.result.rows, front, of_elements);

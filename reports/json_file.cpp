@@ -26,6 +26,8 @@ json read_json(const path& file) {
         return json::parse(text);
     } catch (const json::parse_error& error) {
         throw InputError(file.string(), line_of(text, error.byte), "", "valid JSON");
+    } catch (const json::out_of_range&) {  // a number like 1e999, whose place it does not tell
+        throw InputError(file.string(), "", "numbers of at most 1.8e308");
     }
 }
 

@@ -13,12 +13,10 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
 
 namespace cleave {
 

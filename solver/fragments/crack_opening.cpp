@@ -52,30 +52,54 @@ int CrackOpening::open_new_parents(LinkTable& links) const {
     return removed;
 }
 
-/// Links over equal faces between these particles; those in blocks of tets beside the plane are not looked at.
-int CrackOpening::open_faces(LinkTable& links, const std::vector<int>& particles) const {
-    if (particles.empty()) return 0;
-    const LinkBlocks& blocks = links.blocks();
-    std::vector<std::uint8_t> beside(static_cast<std::size_t>(particles.back() / LinkBlocks::size) + 1, 0);
-    for (int block = 0; block < std::min(blocks.blocks(), static_cast<int>(beside.size())); ++block) {
-        beside[static_cast<std::size_t>(block)] = blocks.is_beside(block, crack_.disc);
-    }
-    const auto is_beside = [&](int particle) { return beside[static_cast<std::size_t>(particle / LinkBlocks::size)] != 0; };
+/// The corners of originals lie scattered in memory: asks for those of a particle further on.
+void CrackOpening::prefetch_near(const std::vector<int>& near, std::size_t i) const {
+    constexpr std::size_t ahead = 8;
+    const mesh::TetMesh& mesh = body_.original();
+    if (i + 2 * ahead < near.size() && near[i + 2 * ahead] < body_.originals()) __builtin_prefetch(&mesh.tets[near[i + 2 * ahead]]);
+    if (i + ahead >= near.size() || near[i + ahead] >= body_.originals()) return;
+    for (const int vertex : mesh.tets[near[i + ahead]]) __builtin_prefetch(&mesh.vertices[vertex]);
+}
+
+/// Those that are not in a box of tets on one side.
+std::vector<int> CrackOpening::particles_near(std::span<const int> particles, const std::vector<std::int8_t>& box_sides) const {
+    constexpr std::size_t box_size = LinkBlocks::box_size;
     std::vector<int> near;
-    for (const int particle : particles) {
-        if (!is_beside(particle)) near.push_back(particle);
+    for (std::size_t i = 0; i < particles.size();) {
+        const auto particle = static_cast<std::size_t>(particles[i]);
+        const bool is_near = box_sides[particle / box_size] == 0;
+        if (is_near) near.push_back(particles[i]);
+        const std::size_t next = i + box_size;
+        const bool has_box = particle % box_size == 0 && next < particles.size() && particles[next] == particles[i] + LinkBlocks::box_size;
+        i = has_box && !is_near ? next : i + 1;
     }
+    return near;
+}
+
+/// Links over equal faces between these particles; those in boxes of tets beside the plane are not looked at.
+int CrackOpening::open_faces(LinkTable& links, std::span<const int> particles) const {
+    if (particles.empty()) return 0;
+    constexpr int box_size = LinkBlocks::box_size;
+    const LinkBlocks& blocks = links.blocks();
+    std::vector<std::int8_t> box_sides(static_cast<std::size_t>(particles.back() / box_size) + 1, 0);  // 0: the plane passes near
+    for (int box = 0; box < std::min(blocks.boxes(), static_cast<int>(box_sides.size())); ++box) {
+        box_sides[static_cast<std::size_t>(box)] = static_cast<std::int8_t>(blocks.side(box, crack_.disc));
+    }
+    const auto box_side = [&](int particle) -> int { return box_sides[static_cast<std::size_t>(particle / box_size)]; };
+    const std::vector<int> near = particles_near(particles, box_sides);
     const int first = particles.front(), last = particles.back();
     std::vector<std::int8_t> sides(static_cast<std::size_t>(last - first + 1), 0);  // 0: beside the plane, or not one of these
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        prefetch_near(near, i);
+        sides[near[i] - first] = static_cast<std::int8_t>(side(near[i]));
+    }
     std::vector<std::array<int, 2>> found;
-    int own_side = 0;
-    links.for_each_link(engine_, near, [&](int particle) { sides[particle - first] = static_cast<std::int8_t>(own_side = side(particle)); },
+    links.for_each_link(engine_, near, [](int) {},
                         [&](int particle, int neighbour) {
-                            return neighbour >= first && neighbour <= last && (neighbour < particle || is_beside(neighbour));
+                            return neighbour >= first && neighbour <= last && (neighbour < particle || box_side(neighbour) != 0);
                         },
                         [&](int particle, int neighbour) {
-                            const int other_side = is_beside(neighbour) ? side(neighbour) : sides[neighbour - first];
-                            if (other_side == -own_side) found.push_back({particle, neighbour});
+                            if (box_side(neighbour) + sides[neighbour - first] == -sides[particle - first]) found.push_back({particle, neighbour});
                         });
     int removed = 0;
     for (const auto& [particle, neighbour] : found) {

@@ -2,6 +2,9 @@
 
 #include "solver/fragments/fragmented_body.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cleave::fragments {
@@ -23,7 +26,9 @@ private:
     bool breaks(int particle) const { return !crack_.region || body_.region(particle) == *crack_.region; }
     bool meets_disc(int first, int second) const;
     int open_new_parents(LinkTable& links) const;
-    int open_faces(LinkTable& links, const std::vector<int>& particles) const;
+    int open_faces(LinkTable& links, std::span<const int> particles) const;
+    std::vector<int> particles_near(std::span<const int> particles, const std::vector<std::int8_t>& box_sides) const;
+    void prefetch_near(const std::vector<int>& near, std::size_t i) const;
     int open_partial(LinkTable& links) const;
     bool is_ours(int particle) const { return body_.fragment_of(particle) == fragment_; }
 

@@ -86,6 +86,23 @@ void FragmentedBody::unite(const std::vector<int>& particles) {
     sets_.find(engine_, links_, particles, [&](int particle) { return fragment_of_[static_cast<std::size_t>(particle)] == fragment; });
 }
 
+/// Numbers new fragments by their smallest particles. Particles of one set come in long rows, which are returned: they are handed on whole.
+std::vector<FragmentedBody::Row> FragmentedBody::number_sets(const std::vector<int>& particles) {
+    std::vector<Row> rows;
+    int last_root = -1, number = -1, next = fragments();
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        const int particle = particles[i], root = sets_.look_up(particle);  // the smallest of its set: it came first
+        if (root != last_root) {
+            number = root == particle ? next++ : fragment_of_[root];
+            rows.push_back({i, i, number});
+            last_root = root;
+        }
+        rows.back().last = i + 1;
+        fragment_of_[particle] = number;
+    }
+    return rows;
+}
+
 /// Hands the particles to new fragments where they form several sets (returned), back to the fragment where they form one.
 std::vector<int> FragmentedBody::split(int fragment, std::vector<int> particles) {
     std::vector<int> numbers;
@@ -93,23 +110,22 @@ std::vector<int> FragmentedBody::split(int fragment, std::vector<int> particles)
         fragments_[fragment].particles = std::move(particles);
         return numbers;
     }
-    const int first_new = fragments();
+    const std::vector<Row> rows = number_sets(particles);
     std::vector<std::size_t> sizes;
-    for (const int particle : particles) {
-        const int root = sets_.look_up(particle);  // the smallest of its set: it came first
-        if (root == particle) {
-            fragment_of_[particle] = first_new + static_cast<int>(sizes.size());
-            sizes.push_back(0);
-        }
-        fragment_of_[particle] = fragment_of_[root];
-        ++sizes[fragment_of_[particle] - first_new];
+    for (const Row& row : rows) {
+        const auto set = static_cast<std::size_t>(row.fragment - fragments());
+        if (set == sizes.size()) sizes.push_back(0);
+        sizes[set] += row.last - row.first;
     }
     for (const std::size_t size : sizes) {
         numbers.push_back(fragments());
         fragments_.push_back({.origin = fragment, .retired = false, .particles = {}});
         fragments_.back().particles.reserve(size);
     }
-    for (const int particle : particles) fragments_[fragment_of_[particle]].particles.push_back(particle);
+    for (const Row& row : rows) {
+        std::vector<int>& members = fragments_[row.fragment].particles;
+        members.insert(members.end(), particles.data() + row.first, particles.data() + row.last);
+    }
     fragments_[fragment].retired = true;
     fragments_[fragment].particles.clear();
     return numbers;

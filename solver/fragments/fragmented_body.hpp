@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace cleave::fragments {
@@ -79,6 +80,11 @@ private:
     Crack valid(const Crack& crack, int fragment) const;
     void find_first_fragments();
     void unite(const std::vector<int>& particles);
+    struct Row {
+        std::size_t first, last;  ///< among the particles
+        int fragment;
+    };
+    std::vector<Row> number_sets(const std::vector<int>& particles);
     std::vector<int> split(int fragment, std::vector<int> particles);
 
     mesh::TetMesh mesh_;
@@ -86,7 +92,7 @@ private:
     subdivision::SubdivisionEngine engine_;  ///< cuts nothing in the basic scheme
     LinkTable links_;
     std::vector<Fragment> fragments_;
-    std::vector<int> fragment_of_;           ///< per particle number; -1: subdivided
+    subdivision::LargeVector<int> fragment_of_;  ///< per particle number; -1: subdivided
     LinkedSets sets_;
 };
 

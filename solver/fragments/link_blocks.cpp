@@ -33,32 +33,43 @@ LinkBlocks::LinkBlocks(std::span<const std::array<int, 4>> behind, const subdivi
         const auto own = links_.begin() + static_cast<std::ptrdiff_t>(before);
         std::sort(own, links_.end());
         links_.erase(std::unique(own, links_.end()), links_.end());
-        Box& box = boxes_.emplace_back();
-        box.low.fill(std::numeric_limits<double>::infinity());
-        box.high.fill(-std::numeric_limits<double>::infinity());
-        for (int tet = first; tet < first + size; ++tet) {
-            for (const int vertex : mesh.records[static_cast<std::size_t>(tet)].sorted) {
-                const subdivision::Vector4& x = mesh.vertices[static_cast<std::size_t>(vertex)];
-                for (int axis = 0; axis < 3; ++axis) {
-                    box.low[axis] = std::min(box.low[axis], x[axis]);
-                    box.high[axis] = std::max(box.high[axis], x[axis]);
-                }
-            }
-        }
         first_part_.push_back(parts_.size());
         first_link_.push_back(links_.size());
     }
+    for (int first = 0; first < static_cast<int>(offset_.size()); first += box_size) boxes_.push_back(box_around(first, mesh));
 }
 
-bool LinkBlocks::is_beside(int block, const subdivision::Cut& plane) const {
-    const Box& box = boxes_[static_cast<std::size_t>(block)];
+LinkBlocks::Box LinkBlocks::box_around(int first, const subdivision::CanonicalMesh& mesh) {
+    std::array<double, 3> low, high;
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+    for (int tet = first; tet < first + box_size; ++tet) {
+        for (const int vertex : mesh.records[static_cast<std::size_t>(tet)].sorted) {
+            const subdivision::Vector4& x = mesh.vertices[static_cast<std::size_t>(vertex)];
+            for (int axis = 0; axis < 3; ++axis) {
+                low[axis] = std::min(low[axis], x[axis]);
+                high[axis] = std::max(high[axis], x[axis]);
+            }
+        }
+    }
+    Box box{};
+    for (int axis = 0; axis < 3; ++axis) {
+        box.centre[axis] = 0.5 * (low[axis] + high[axis]);
+        box.half[axis] = 0.5 * (high[axis] - low[axis]);
+    }
+    return box;
+}
+
+int LinkBlocks::side(int box, const subdivision::Cut& plane) const {
+    const auto& [centre, half] = boxes_[static_cast<std::size_t>(box)];
     double distance = 0, reach = 0, size = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        distance += plane.normal[axis] * (0.5 * (box.low[axis] + box.high[axis]) - plane.centre[axis]);
-        reach += std::abs(plane.normal[axis]) * 0.5 * (box.high[axis] - box.low[axis]);
-        size += std::abs(box.low[axis]) + std::abs(box.high[axis]) + std::abs(plane.centre[axis]);
+        distance += plane.normal[axis] * (centre[axis] - plane.centre[axis]);
+        reach += std::abs(plane.normal[axis]) * half[axis];
+        size += std::abs(centre[axis]) + half[axis] + std::abs(plane.centre[axis]);
     }
-    return std::abs(distance) > reach + 1e-14 * size;  // far above the rounding of these few sums
+    const double slack = 1e-14 * size;  // far above the rounding of these few sums
+    return (distance > reach + slack) - (distance < -reach - slack);
 }
 
 }  // namespace cleave::fragments

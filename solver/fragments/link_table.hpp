@@ -97,7 +97,7 @@ private:
 
     subdivision::LargeVector<std::array<int, 4>> own_;  ///< per original tet: behind each face, in the tet's own order of faces
     LinkBlocks blocks_;
-    std::vector<std::uint8_t> state_;                   ///< per particle: bits 0..3 removed links, `gone`: subdivided
+    subdivision::LargeVector<std::uint8_t> state_;            ///< per particle: bits 0..3 removed links, `gone`: subdivided
     std::vector<PartialLink> partial_;                  ///< of all cuts, in the engine's order
     std::vector<std::uint64_t> removed_pairs_;          ///< removed partial links before the current cut, sorted
     subdivision::Buffer<subdivision::ExtraLink> scratch_;

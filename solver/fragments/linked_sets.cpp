@@ -25,37 +25,43 @@ const ChildGroup* starts_group(const SubdivisionEngine& engine, const LinkTable&
     return links.has_all(first, {group.inner.data(), count}) ? &group : nullptr;
 }
 
-/// Calls in_block(block), in_group(group, members) and one_by_one(particles) for all particles, in ascending order.
-template <class InBlock, class InGroup, class OneByOne>
-void walk(const SubdivisionEngine& engine, const LinkTable& links, Particles particles, const InBlock& in_block, const InGroup& in_group,
-          const OneByOne& one_by_one) {
+}  // namespace
+
+/// Splits the particles into blocks, groups, and those between them.
+void LinkedSets::find_runs(const SubdivisionEngine& engine, const LinkTable& links, Particles particles) {
+    runs_.clear();
     std::size_t start = 0, i = 0;  // start: of those that go one by one
-    const auto pass = [&](std::size_t count, const auto& visit) {
-        if (start < i) one_by_one(particles.subspan(start, i - start));
-        visit();
-        start = i += count;
+    const auto add = [&](int count, int block, const ChildGroup* group) {
+        if (start < i) runs_.push_back({static_cast<int>(start), static_cast<int>(i - start), -1, nullptr});
+        runs_.push_back({static_cast<int>(i), count, block, group});
+        start = i += static_cast<std::size_t>(count);
     };
     while (i < particles.size()) {
         const Particles rest = particles.subspan(i);
-        if (starts_block(links, rest)) {
-            pass(LinkBlocks::size, [&] { in_block(rest.front() / LinkBlocks::size); });
-        } else if (const ChildGroup* group = starts_group(engine, links, rest)) {
-            const auto count = static_cast<std::size_t>(group->count);
-            pass(count, [&] { in_group(*group, rest.first(count)); });
-        } else {
-            ++i;
-        }
+        if (starts_block(links, rest)) add(LinkBlocks::size, rest.front() / LinkBlocks::size, nullptr);
+        else if (const ChildGroup* group = starts_group(engine, links, rest)) add(group->count, -1, group);
+        else ++i;
     }
-    if (start < i) one_by_one(particles.subspan(start));
+    if (start < i) runs_.push_back({static_cast<int>(start), static_cast<int>(i - start), -1, nullptr});
 }
 
-}  // namespace
+/// Calls in_block(block), in_group(group, members) and one_by_one(particles) for all runs, in ascending order.
+template <class InBlock, class InGroup, class OneByOne>
+void LinkedSets::for_runs(Particles particles, const InBlock& in_block, const InGroup& in_group, const OneByOne& one_by_one) const {
+    for (const Run& run : runs_) {
+        const Particles members = particles.subspan(static_cast<std::size_t>(run.first), static_cast<std::size_t>(run.count));
+        if (run.block >= 0) in_block(run.block);
+        else if (run.group != nullptr) in_group(*run.group, members);
+        else one_by_one(members);
+    }
+}
 
 void LinkedSets::prepare(const SubdivisionEngine& engine, const LinkTable& links, Particles particles) {
     const LinkBlocks& blocks = links.blocks();
     sets_.grow(links.particles());
     in_parts_.assign(static_cast<std::size_t>(links.particles() / LinkBlocks::size) + 1, 0);
-    walk(engine, links, particles,
+    find_runs(engine, links, particles);
+    for_runs(particles,
          [&](int block) {
              in_parts_[static_cast<std::size_t>(block)] = 1;
              for (const int part : blocks.parts(block)) sets_.make_single(part);
@@ -67,7 +73,7 @@ void LinkedSets::prepare(const SubdivisionEngine& engine, const LinkTable& links
          [&](Particles rest) {
              for (const int particle : rest) sets_.make_single(particle);
          });
-    walk(engine, links, particles,
+    for_runs(particles,
          [&](int block) {
              for (const auto& [part, other] : blocks.links_down(block)) {
                  if (in_parts(other)) sets_.unite(part, other);
@@ -101,9 +107,9 @@ void LinkedSets::unite_group(const SubdivisionEngine& engine, const LinkTable& l
     }
 }
 
-void LinkedSets::flatten(const SubdivisionEngine& engine, const LinkTable& links, Particles particles) {
+void LinkedSets::flatten(const LinkTable& links, Particles particles) {
     const LinkBlocks& blocks = links.blocks();
-    walk(engine, links, particles,
+    for_runs(particles,
          [&](int block) {
              for (const int part : blocks.parts(block)) sets_.flatten(part);
              const int first = block * LinkBlocks::size, last = first + LinkBlocks::size;

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "solver/subdivision/huge_pages.hpp"
+
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace cleave::fragments {
 
@@ -40,7 +41,7 @@ public:
     int look_up(int number) const { return root_[number]; }
 
 private:
-    std::vector<int> root_;
+    subdivision::LargeVector<int> root_;
 };
 
 }  // namespace cleave::fragments

@@ -239,10 +239,11 @@ inline void write_two_two(const CuttingPlane& plane, const ParentPlan& plan, con
 
 }  // namespace
 
-void write_children(const CuttingPlane& plane, const ParentPlan* first, const ParentPlan* last, const ParentLayout* layouts, const Vector4* vertices,
-                    ChildArrays out, Buffer<LooseFace>& loose) {
+std::size_t write_children(const CuttingPlane& plane, const ParentPlan* first, const ParentPlan* last, const ParentLayout* layouts,
+                           const Vector4* vertices, ChildArrays out, Buffer<LooseFace>& loose) {
     constexpr int ahead = 6;
     const CuttingPlane own_plane = plane;  // no store can change it
+    const double* first_volume = out.volumes;
     for (const ParentPlan* plan = first; plan != last; ++plan) {
         for (const int vertex : plan[last - plan > ahead ? ahead : 0].corner) __builtin_prefetch(&vertices[vertex]);
         const ParentLayout& layout = layouts[plan->layout];
@@ -265,6 +266,7 @@ void write_children(const CuttingPlane& plane, const ParentPlan* first, const Pa
         out.volumes += layout.children;
         out.parents += layout.children;
     }
+    return static_cast<std::size_t>(out.volumes - first_volume);
 }
 
 }  // namespace cleave::subdivision

@@ -19,8 +19,9 @@ struct ChildArrays {
     std::array<double, 3>* points;  ///< the place of the point with number 0 (new points are numbered after the vertices)
 };
 
-/// Writes the children of parents in a row, the points they make, and lists the faces that do not conform. `vertices` by number.
-void write_children(const CuttingPlane& plane, const ParentPlan* first, const ParentPlan* last, const ParentLayout* layouts, const Vector4* vertices,
-                    ChildArrays out, Buffer<LooseFace>& loose);
+/// Writes the children of parents in a row, the points they make, and lists the faces that do not conform. `vertices` by number. Returns the number of
+/// children.
+std::size_t write_children(const CuttingPlane& plane, const ParentPlan* first, const ParentPlan* last, const ParentLayout* layouts,
+                           const Vector4* vertices, ChildArrays out, Buffer<LooseFace>& loose);
 
 }  // namespace cleave::subdivision

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <optional>
 
 // Planning: the numbers of a parent's points and its links, in the order of the parents, once all have their places among the children. A
 // point belongs to the first parent that has it; the later ones find its number at the edge or with the parent behind the face.
@@ -199,13 +200,29 @@ void SubdivisionEngine::plan_parents(std::size_t first, std::size_t last, Planne
     planner = all;
 }
 
+/// The place of the point with number 0: before the first one that is kept.
+std::array<double, 3>* SubdivisionEngine::points_from_zero() { return points_.data() - canonical_.vertices.size(); }
+
+ChildArrays SubdivisionEngine::children_from(int child) {
+    return {child_tets_.data() + child,    child_links_.data() + child,   child_centroids_.data() + child,
+            child_volumes_.data() + child, child_parents_.data() + child, points_from_zero()};
+}
+
 /// Writes the children of these plans.
 void SubdivisionEngine::write_parents(const ParentPlan* first, const ParentPlan* last, const CuttingPlane& plane,
                                       Buffer<LooseFace>& loose) {
     const int child = first->first_half_face / 4 - canonical_.tets();
-    const ChildArrays out{child_tets_.data() + child,    child_links_.data() + child,   child_centroids_.data() + child,
-                          child_volumes_.data() + child, child_parents_.data() + child, points_.data() - canonical_.vertices.size()};
-    write_children(plane, first, last, layouts_, canonical_.vertices.data(), out, loose);
+    write_children(plane, first, last, layouts_, canonical_.vertices.data(), children_from(child), loose);
+}
+
+/// The same by way of a stream.
+void SubdivisionEngine::stream_parents(const ParentPlan* first, const ParentPlan* last, const CuttingPlane& plane, StreamedChildren& out,
+                                       Buffer<LooseFace>& loose) {
+    constexpr std::ptrdiff_t most = StreamedChildren::parents_at_a_time;
+    for (const ParentPlan* end; first != last; first = end) {
+        end = first + std::min(last - first, most);
+        out.pass_on(write_children(plane, first, end, layouts_, canonical_.vertices.data(), out.next(points_from_zero()), loose));
+    }
 }
 
 /// Plans a few parents at a time and writes them.
@@ -213,11 +230,16 @@ void SubdivisionEngine::divide_alone(const CuttingPlane& plane) {
     const std::size_t count = found_.size();
     Planner planner = this->planner();
     plans_.resize(std::min(count, alone_at_a_time));
+    std::optional<StreamedChildren> stream;
+    if (streams(count)) stream.emplace(children_from(first_new_child_));
     for (std::size_t first = 0; first < count; first += alone_at_a_time) {
         const std::size_t last = std::min(count, first + alone_at_a_time);
         plan_parents(first, last, planner);
-        write_parents(plans_.begin(), plans_.begin() + (last - first), plane, loose_);
+        const ParentPlan* plans = plans_.data();
+        if (stream) stream_parents(plans, plans + (last - first), plane, *stream, loose_);
+        else write_parents(plans, plans + (last - first), plane, loose_);
     }
+    if (stream) stream->finish();
 }
 
 /// Plans all parents and shares out the writing.
@@ -229,8 +251,11 @@ void SubdivisionEngine::divide_together(const CuttingPlane& plane) {
     if (chunk_loose_.size() < chunks) chunk_loose_ = std::vector<Buffer<LooseFace>>(chunks);
     workers_.for_chunks(chunks, [&](std::size_t chunk) {
         chunk_loose_[chunk].clear();
-        const ParentPlan* plans = plans_.data();
-        write_parents(plans + chunk * chunk_size, plans + std::min(count, (chunk + 1) * chunk_size), plane, chunk_loose_[chunk]);
+        const ParentPlan *first = plans_.data() + chunk * chunk_size, *last = plans_.data() + std::min(count, (chunk + 1) * chunk_size);
+        if (!streams(count)) return write_parents(first, last, plane, chunk_loose_[chunk]);
+        StreamedChildren stream(children_from(first->first_half_face / 4 - canonical_.tets()));
+        stream_parents(first, last, plane, stream, chunk_loose_[chunk]);
+        stream.finish();
     });
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
         const Buffer<LooseFace>& part = chunk_loose_[chunk];

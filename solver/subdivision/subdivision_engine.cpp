@@ -48,12 +48,16 @@ void SubdivisionEngine::find_in_boxes(std::size_t first, std::size_t last, const
                                       Buffer<std::uint64_t>& found) const {
     constexpr std::size_t ahead = 2;
     const CuttingPlane own_plane = plane;  // no store can change it
+    const bool takes_all = cuts_ == 0 && among.has_all() && !std::isfinite(cut.radius);  // nothing to ask of a tet, nowhere to look it up
     for (std::size_t i = first; i < last; ++i) {
         if (i + ahead < last) boxes_.prefetch(near_[i + ahead]);
+        std::uint64_t *begin = found.grow_by(TetBoxes::most), *end = begin;
         boxes_.visit_box(near_[i], own_plane, [&](int tet, unsigned number) {
-            if (is_cut(tet) || !among.has(tet) || (std::isfinite(cut.radius) && !passes_disc(cut, own_plane, tet))) return;
-            found.push_back(32 * static_cast<std::uint64_t>(tet) + number);
+            const bool is_wanted = takes_all || !(is_cut(tet) || !among.has(tet) || (std::isfinite(cut.radius) && !passes_disc(cut, own_plane, tet)));
+            *end = 32 * static_cast<std::uint64_t>(tet) + number;
+            end += is_wanted;
         });
+        found.resize(found.size() - TetBoxes::most + static_cast<std::size_t>(end - begin));
     }
 }
 

@@ -12,9 +12,11 @@
 #include "solver/subdivision/parent_layout.hpp"
 #include "solver/subdivision/parent_plan.hpp"
 #include "solver/subdivision/piece_tables.hpp"
+#include "solver/subdivision/streamed_output.hpp"
 #include "solver/subdivision/subdivided.hpp"
 #include "solver/subdivision/tet_boxes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -28,6 +30,7 @@ struct Among {
     int label = 0;
     const int* regions = nullptr;  ///< per original tet; none: all regions
     int region = 0;
+    bool has_all() const { return labels == nullptr && regions == nullptr; }
     bool has(int tet) const { return (labels == nullptr || labels[tet] == label) && (regions == nullptr || regions[tet] == region); }
 };
 
@@ -100,7 +103,12 @@ private:
     void divide_together(const CuttingPlane& plane);
     void plan_parents(std::size_t first, std::size_t last, Planner& planner);
     void join_earlier_base(const State& there, ParentPlan& plan);
+    std::array<double, 3>* points_from_zero();
+    ChildArrays children_from(int child);
     void write_parents(const ParentPlan* first, const ParentPlan* last, const CuttingPlane& plane, Buffer<LooseFace>& loose);
+    bool streams(std::size_t parents) const { return parents >= static_cast<std::size_t>(std::max(options_.streamed_from, 0)); }
+    void stream_parents(const ParentPlan* first, const ParentPlan* last, const CuttingPlane& plane, StreamedChildren& out,
+                        Buffer<LooseFace>& loose);
     class Renumbering;
     void append_whole(int tet, const Renumbering& renumbering, Subdivided& out) const;
     void append_child(std::size_t child, const Renumbering& renumbering, Subdivided& out) const;

@@ -90,7 +90,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t most = 64;
     int box() const { return static_cast<int>(boxes_.levels_[0].size()); }
 
     std::uint8_t number_of(int vertex) {

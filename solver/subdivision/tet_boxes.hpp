@@ -27,6 +27,8 @@ public:
         if (!levels_.empty()) descend(cut, levels_.size() - 1, 0, levels_.back().size(), visit);
     }
 
+    static constexpr std::size_t most = 64;  ///< tets of a box, and vertices
+
     /// Asks the memory for what visit_box will read of a box: along the curve, boxes near a plane stand anywhere.
     void prefetch(std::size_t box) const {
         const Span &first = spans_[box], &last = spans_[box + 1];

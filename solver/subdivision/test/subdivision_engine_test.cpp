@@ -57,7 +57,7 @@ TEST(SubdivisionEngine, EqualsThePlainFormToTheBit) {
         const TetMesh mesh = shuffled(kuhn_cube(2 + round % 5, round % 3 == 0 ? 0 : 0.15), random);
         std::vector<Cut> cuts;
         for (int i = 0; i < 1 + round % 9; ++i) cuts.push_back((i + round) % 2 == 0 ? random.plane(0, 1) : random.disc(0, 1));
-        const Options options{.tau = round % 4 == 0 ? 0 : 0.1};
+        const Options options{.tau = round % 4 == 0 ? 0 : 0.1, .streamed_from = round % 2 == 0 ? 0 : 1 << 20};
         ASSERT_EQ(first_difference(by_engine(mesh, cuts, options), subdivide(mesh, cuts, options)), "") << "round " << round;
     }
 }
@@ -67,7 +67,9 @@ TEST(SubdivisionEngine, EqualsThePlainFormAfterFiftyCuts) {
     const TetMesh mesh = shuffled(kuhn_cube(6, 0.15), random);
     std::vector<Cut> cuts;
     for (int i = 0; i < 50; ++i) cuts.push_back(i % 2 == 0 ? random.plane(0, 1) : random.disc(0, 1));
-    EXPECT_EQ(first_difference(by_engine(mesh, cuts), subdivide(mesh, cuts)), "");
+    for (const int streamed_from : {0, 1 << 20}) {
+        EXPECT_EQ(first_difference(by_engine(mesh, cuts, {.streamed_from = streamed_from}), subdivide(mesh, cuts)), "") << streamed_from;
+    }
 }
 
 TEST(SubdivisionEngine, EqualsThePlainFormOnPlanesThroughVertices) {
@@ -98,7 +100,10 @@ TEST(SubdivisionEngine, GivesTheSameBytesForAnyNumberOfThreads) {
         const Subdivided plain = subdivide(mesh, cuts);
         ASSERT_GT(plain.counts.three_one + plain.counts.two_two, cells == 24 ? 4096 : 1000);  // far above what one thread does alone
         for (const int threads : {1, 2, 4, 8}) {
-            EXPECT_EQ(first_difference(by_engine(mesh, cuts, {.tau = 0.1, .threads = threads}), plain), "") << threads << " threads";
+            for (const int streamed_from : {0, 1 << 20}) {
+                const Options options{.tau = 0.1, .threads = threads, .streamed_from = streamed_from};
+                EXPECT_EQ(first_difference(by_engine(mesh, cuts, options), plain), "") << threads << " threads, streamed from " << streamed_from;
+            }
         }
     }
 }

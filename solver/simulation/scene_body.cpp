@@ -97,6 +97,8 @@ SceneBody::SceneBody(const BodySpec& spec, const Scene& scene, const std::filesy
 
 SceneBody::~SceneBody() = default;
 
+const elasticity::OperatorReport* SceneBody::operator_report() const { return analysis_ ? &analysis_->strain_operator.report : nullptr; }
+
 const BodyMaterial& SceneBody::material_of_region(int region) const {
     const auto name = mesh_.region_names.find(region);
     if (name == mesh_.region_names.end()) return spec_.material;

@@ -3,6 +3,7 @@
 #include "solver/contact/contact_displacement.hpp"
 #include "solver/contact/contact_load.hpp"
 #include "solver/elasticity/strain.hpp"
+#include "solver/elasticity/strain_operator.hpp"
 #include "solver/fracture/crack_generation.hpp"
 #include "solver/fragments/fragmented_body.hpp"
 #include "solver/fragments/mass_properties.hpp"
@@ -63,6 +64,8 @@ public:
 
     const BodySpec& spec() const { return spec_; }
     bool is_ball() const { return !spec_.source; }
+    /// What the strain operator had to do about poor neighbourhoods; null for what does not break.
+    const elasticity::OperatorReport* operator_report() const;
     int original_particles() const { return is_ball() ? 0 : static_cast<int>(mesh_.tets.size()); }
     /// Particles now: whole ones and children.
     int particles_now() const;

@@ -68,6 +68,33 @@ Json paper_json(const std::string& scene) {
     return {{"row", row->row}, {"physical", row->physical}, {"subdivided", row->subdivided}, {"boundary", row->boundary}, {"fragments", row->fragments}};
 }
 
+/// Per body that can break: particles whose support was enlarged, that no support satisfied, where a lower operator stands in.
+Json operators_json(const Simulation& simulation) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < simulation.bodies().size(); ++i) {
+        const elasticity::OperatorReport* report = simulation.bodies()[i]->operator_report();
+        if (!report) continue;
+        list.push_back({{"body", simulation.scene().bodies[i].name},
+                        {"operator", simulation.scene().strain_operator},
+                        {"particles", report->particles},
+                        {"raised_supports", report->raised_supports},
+                        {"poor_supports", report->poor_supports},
+                        {"fallbacks", report->fallbacks}});
+    }
+    return list;
+}
+
+/// The same as a line per body.
+std::string operators_text(const Simulation& simulation) {
+    std::string text;
+    for (const Json& entry : operators_json(simulation)) {
+        text += fmt::format("  {}, strain operator {}: {} supports enlarged, {} still poor, {} fallbacks\n", entry["body"].get<std::string>(),
+                            entry["operator"].get<std::string>(), entry["raised_supports"].get<int>(), entry["poor_supports"].get<int>(),
+                            entry["fallbacks"].get<int>());
+    }
+    return text;
+}
+
 double per_event(double seconds, int events) { return events > 0 ? 1e3 * seconds / events : 0; }
 
 }  // namespace
@@ -126,6 +153,7 @@ std::string statistics_json(const Simulation& simulation) {
         {"energy_growth_without_contact", watch.energy_growth},
         {"largest_kinetic_energy", watch.energy_scale},
         {"deepest_penetration", watch.penetration},
+        {"strain_operators", operators_json(simulation)},
         {"paper", paper_json(simulation.scene().name)},
         {"impacts", impacts_json(simulation)},
     };
@@ -178,6 +206,7 @@ std::string summary_text(const Simulation& simulation, const RunTimes& times) {
     text += fmt::format("  frame rate              {:>10.1f}  {:>8}\n", rate, row && row->frame_rate > 0 ? fmt::format("{}", row->frame_rate) : "-");
     text += fmt::format("  fractures {}: ms in total: stress analysis {:.3g}, subdivision {:.3g}, cracks {:.3g}, new bodies {:.3g}\n", clock.fractures,
                         1e3 * clock.analysis, 1e3 * clock.subdivision, 1e3 * clock.cracks, 1e3 * clock.fragments);
+    text += operators_text(simulation);
     if (row && row->frame_rate > 0)
         text += fmt::format("  the paper's (2010 Xeon):      stress analysis {}, subdivision {}, cracks {}\n", row->analysis, row->subdivision, row->cracks);
     return text;

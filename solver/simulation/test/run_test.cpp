@@ -127,6 +127,21 @@ TEST_F(Run, ABlockBreaksAndNothingIsLost) {
     EXPECT_EQ(nlohmann::json::parse(read_file(root_ / "a/timings.json"))["frames"], 24);
 }
 
+TEST_F(Run, PoorNeighbourhoodsAreTold) {
+    const auto told = [&](int cells) {
+        mesh::write_msh(block(cells, 0.08), root_ / "block.msh");
+        const RunResult result = run(scene({{"analysis.strain_operator", "\"quadratic\""}, {"frames", "1"}}), fmt::format("of{}", cells));
+        const nlohmann::json json = statistics(fmt::format("of{}", cells))["strain_operators"].at(0);
+        EXPECT_EQ(json["particles"], 6 * cells * cells * cells);
+        EXPECT_NE(result.summary.find(fmt::format("strain operator quadratic: {} supports enlarged, {} still poor, {} fallbacks",
+                                                  json["raised_supports"].get<int>(), json["poor_supports"].get<int>(), json["fallbacks"].get<int>())),
+                  std::string::npos);
+        return json["fallbacks"].get<int>();
+    };
+    EXPECT_EQ(told(1), 6);  // five neighbours do not determine nine derivatives
+    EXPECT_EQ(told(4), 0);
+}
+
 TEST_F(Run, AStrongBlockStaysWhole) {  // the twin: with a strength that nothing reaches nothing breaks
     run(scene({{"body[0].strength", "\"1 TPa\""}}), "a");
     const nlohmann::json json = statistics("a");

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace cleave::robustness {
@@ -46,13 +47,13 @@ double longest_edge(const mesh::TetMesh& mesh, int tet) {
     return longest;
 }
 
-/// The children of one engine against their parents.
-void count(const mesh::TetMesh& mesh, const subdivision::SubdivisionEngine& engine, CutTally& tally) {
-    const auto& volumes = engine.child_volumes();
+/// The children of one engine, with these volumes and points, against their parents.
+void count(const mesh::TetMesh& mesh, const subdivision::SubdivisionEngine& engine, std::span<const double> volumes,
+           std::span<const std::array<double, 3>> points, CutTally& tally) {
     const auto corner = [&](int vertex) -> Vector3d {
         const int original = static_cast<int>(mesh.vertices.size());
         if (vertex < original) return mesh.vertices[static_cast<std::size_t>(vertex)];
-        return Vector3d(engine.points()[static_cast<std::size_t>(vertex - original)].data());
+        return Vector3d(points[static_cast<std::size_t>(vertex - original)].data());
     };
     for (std::size_t child = 0; child < volumes.size();) {
         const int parent = engine.child_parents()[child];
@@ -73,7 +74,7 @@ void count(const mesh::TetMesh& mesh, const subdivision::SubdivisionEngine& engi
 
 }  // namespace
 
-CutTally cut_at_random(long cuts, unsigned seed) {
+CutTally cut_at_random(long cuts, unsigned seed, const Damage& damage) {
     Random random(seed);
     CutTally tally;
     while (tally.cuts < cuts) {
@@ -82,7 +83,14 @@ CutTally cut_at_random(long cuts, unsigned seed) {
         for (int plane = 0; plane < planes_per_batch && tally.cuts < cuts; ++plane) {
             engine.reset();
             engine.cut(random.plane(-0.5, 0.5));
-            count(mesh, engine, tally);
+            if (!damage) {
+                count(mesh, engine, engine.child_volumes(), engine.points(), tally);
+                continue;
+            }
+            std::vector<double> volumes(engine.child_volumes().begin(), engine.child_volumes().end());
+            std::vector<std::array<double, 3>> points(engine.points().begin(), engine.points().end());
+            damage(volumes, points);
+            count(mesh, engine, volumes, points, tally);
         }
     }
     return tally;

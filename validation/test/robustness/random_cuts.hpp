@@ -1,6 +1,10 @@
 // Random tets cut by random planes, a great many.
 #pragma once
 
+#include <array>
+#include <functional>
+#include <vector>
+
 namespace cleave::robustness {
 
 /// What so many cuts left behind.
@@ -13,8 +17,11 @@ struct CutTally {
     double smallest_share = 1;     ///< of a child in its parent
 };
 
+/// What a twin does to the engine's output before it is looked at: the children's stated volumes (m^3), the points made (m).
+using Damage = std::function<void(std::vector<double>& volumes, std::vector<std::array<double, 3>>& points)>;
+
 /// Cuts tets with corners anywhere in a cube, a tenth of them slivers with dihedral angles down to 1e-6, by random planes through it until at
 /// least `cuts` tets have been divided. The same for the same seed.
-CutTally cut_at_random(long cuts, unsigned seed);
+CutTally cut_at_random(long cuts, unsigned seed, const Damage& damage = {});
 
 }  // namespace cleave::robustness

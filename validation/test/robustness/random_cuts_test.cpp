@@ -24,5 +24,23 @@ TEST(RandomCuts, FillTheirParents) {
                 tally.cuts, tally.children, tally.negative, tally.worst_sum, tally.worst_stated, tally.smallest_share);
 }
 
+// Must-fail twins: one child's volume off by 1e-12 of the cube of the cube's edge, one child turned inside out, one point moved by 1e-10.
+TEST(RandomCuts, SeeOneWrongVolume) {
+    const CutTally tally = cut_at_random(500, 7, [](auto& volumes, auto&) { volumes.front() += 1e-12; });
+    EXPECT_GT(tally.worst_sum, 1e-14);
+    EXPECT_GT(tally.worst_stated, 1e-14);
+    EXPECT_EQ(tally.negative, 0);
+}
+
+TEST(RandomCuts, SeeOneChildInsideOut) {
+    const CutTally tally = cut_at_random(500, 7, [](auto& volumes, auto&) { volumes.back() *= -1; });
+    EXPECT_GE(tally.negative, 1);
+}
+
+TEST(RandomCuts, SeeOnePointOutOfPlace) {
+    const CutTally tally = cut_at_random(500, 7, [](auto&, auto& points) { points.front()[0] += 1e-10; });
+    EXPECT_GT(tally.worst_stated, 1e-14);
+}
+
 }  // namespace
 }  // namespace cleave::robustness

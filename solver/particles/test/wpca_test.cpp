@@ -44,7 +44,7 @@ std::vector<double> normal_errors(const test::Grading& bend, double window, cons
     return errors;
 }
 
-double quantile(const std::vector<double>& sorted, double q) { return sorted[static_cast<std::size_t>(q * (sorted.size() - 1))]; }
+double quantile(const std::vector<double>& sorted, double q) { return sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1))]; }
 
 TEST(Wpca, FindsTheNormalOfASlab) {
     const auto up = [](const Vector3d&) { return Vector3d::UnitZ(); };

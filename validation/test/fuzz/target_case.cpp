@@ -6,7 +6,8 @@ namespace cleave::fuzz {
 
 Target case_target() {
     return {"case", texts_in(validation::case_folder(), ".toml"), [](const std::string& bytes) {
-                for (const validation::Case& one : validation::read_cases(input_file("input.toml", bytes).string(), {})) (void)one.symmetry();
+                // Not its symmetry class as well: that is a search over directions, minutes for a dozen inputs with sanitizers.
+                validation::read_cases(input_file("input.toml", bytes).string(), {});
             }};
 }
 

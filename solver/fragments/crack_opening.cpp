@@ -82,7 +82,7 @@ int CrackOpening::open_faces(LinkTable& links, std::span<const int> particles) c
     constexpr int box_size = LinkBlocks::box_size;
     const LinkBlocks& blocks = links.blocks();
     std::vector<std::int8_t> box_sides(static_cast<std::size_t>(particles.back() / box_size) + 1, 0);  // 0: the plane passes near
-    for (int box = 0; box < std::min(blocks.boxes(), static_cast<int>(box_sides.size())); ++box) {
+    for (int box = particles.front() / box_size; box < std::min(blocks.boxes(), static_cast<int>(box_sides.size())); ++box) {
         box_sides[static_cast<std::size_t>(box)] = static_cast<std::int8_t>(blocks.side(box, crack_.disc));
     }
     const auto box_side = [&](int particle) -> int { return box_sides[static_cast<std::size_t>(particle / box_size)]; };

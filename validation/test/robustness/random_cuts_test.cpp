@@ -24,7 +24,8 @@ TEST(RandomCuts, FillTheirParents) {
                 tally.cuts, tally.children, tally.negative, tally.worst_sum, tally.worst_stated, tally.smallest_share);
 }
 
-// Must-fail twins: one child's volume off by 1e-12 of the cube of the cube's edge, one child turned inside out, one point moved by 1e-10.
+// Must-fail twins, in a cube of edge 2 m: one child's volume off by 1e-12 m^3 (1e-14 L^3 is at most 4.2e-13, no edge being longer than 2 sqrt(3) m),
+// one child turned inside out, one point moved by 1e-10 m.
 TEST(RandomCuts, SeeOneWrongVolume) {
     const CutTally tally = cut_at_random(500, 7, [](auto& volumes, auto&) { volumes.front() += 1e-12; });
     EXPECT_GT(tally.worst_sum, 1e-14);

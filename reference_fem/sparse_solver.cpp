@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <dlfcn.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,25 @@ void hold_blas_to_one_thread() {
     if (const auto set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))) set_threads(1);
 }
 
+/// Holds SIGTERM back from this thread while METIS runs, which takes that signal for its own errors: a request to end would be swallowed,
+/// and CHOLMOD would go on with another ordering, whose results differ in the last digits. The signal is then for after METIS; where the
+/// kernel gives it to another thread meanwhile (of BLAS, of OpenMP), METIS's handler ends the process there by a segmentation fault.
+class TerminationHeld {
+public:
+    TerminationHeld() {
+        sigset_t held;
+        sigemptyset(&held);
+        sigaddset(&held, SIGTERM);
+        pthread_sigmask(SIG_BLOCK, &held, &before_);
+    }
+    ~TerminationHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    TerminationHeld(const TerminationHeld&) = delete;
+    TerminationHeld& operator=(const TerminationHeld&) = delete;
+
+private:
+    sigset_t before_;
+};
+
 /// CHOLMOD's factor L L^T through Eigen's wrapper.
 class Cholesky : public Eigen::CholmodSupernodalLLT<ColumnMatrix, Eigen::Lower> {
 public:
@@ -41,7 +61,11 @@ public:
         cholmod().method[0].ordering = CHOLMOD_METIS;
         cholmod().postorder = 1;
         cholmod().print = 0;
-        compute(lower);
+        {
+            const TerminationHeld held;
+            analyzePattern(lower);
+        }
+        factorize(lower);
         if (info() != Eigen::Success || cholmod_rcond(m_cholmodFactor, &cholmod()) < 1e-15)
             throw Error("the stiffness matrix is singular: the body, or a part of it, can move without strain");
     }

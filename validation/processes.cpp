@@ -39,7 +39,7 @@ int guarded(const std::function<void()>& body) try {
 }
 
 [[noreturn]] void child(std::size_t count, int threads, SharedCounter& counter, const std::function<void(std::size_t)>& work) {
-    prctl(PR_SET_PDEATHSIG, SIGTERM);  // a parent that is killed leaves nothing running
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // a parent that is killed leaves nothing running; libraries (METIS) catch SIGTERM
     const int code = guarded([&] {
         parallel::on_threads(threads, [&] {
             for (std::size_t i = counter.next(); i < count; i = counter.next()) work(i);
@@ -62,7 +62,7 @@ int wait_for(std::vector<pid_t> children) {
         if (failure != 0 || exit_code_of(status) == 0) continue;
         failure = exit_code_of(status);
         if (WIFSIGNALED(status)) fmt::print(stderr, "cleave validate: internal error: a process ended by signal {}\n", WTERMSIG(status));
-        for (const pid_t other : children) ::kill(other, SIGTERM);
+        for (const pid_t other : children) ::kill(other, SIGKILL);
     }
     return failure;
 }

@@ -108,7 +108,10 @@ Eigen::SparseMatrix<double> assemble_stiffness(const QuadraticEnergy& energy) {
 }
 
 Vectors solve_by_cholesky(const Eigen::SparseMatrix<double>& stiffness, const Vectors& force) {
-    Eigen::CholmodSupernodalLLT<Sparse> factor(stiffness);
+    Eigen::CholmodSupernodalLLT<Sparse> factor;
+    factor.cholmod().nmethods = 1;
+    factor.cholmod().method[0].ordering = CHOLMOD_AMD;  // not METIS, which catches SIGTERM and then leaves another ordering
+    factor.compute(stiffness);
     if (factor.info() != Eigen::Success) throw std::runtime_error("a positive definite stiffness matrix (CHOLMOD's factorisation failed)");
     const Eigen::Map<const Eigen::VectorXd> right(force.front().data(), 3 * static_cast<Eigen::Index>(force.size()));
     const Eigen::VectorXd solution = factor.solve(right);

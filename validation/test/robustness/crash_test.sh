@@ -118,7 +118,7 @@ while [ $i -lt "$kills" ]; do
   "$validate" case_*.toml --reuse --jobs 2 --out out >log 2>&1 || { cat log; fail "study, kill $i: the second run"; }
   again=$(grep -c ' size 0.3' log)
   [ "$again" -le $((5 - done_before)) ] || repeated=$((repeated + again - 5 + done_before))
-  cmp -s study/results.json out/results.json || fail "study, kill $i: another results.json"
+  cmp -s study/results.json out/results.json || { diff study/results.json out/results.json | head -n 6; fail "study, kill $i: another results.json"; }
 done
 [ $repeated = 0 ] || fail "$repeated finished cases were run again"
 

@@ -41,8 +41,9 @@ const char* place_of(Load load) { return load == Load::point ? "point load" : "f
 
 /// The straight line through points by least squares, at x.
 double line_through(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
+    const auto count = static_cast<double>(xs.size());
     double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
-    for (std::size_t i = 0; i < xs.size(); ++i) mean_x += xs[i] / xs.size(), mean_y += ys[i] / xs.size();
+    for (std::size_t i = 0; i < xs.size(); ++i) mean_x += xs[i] / count, mean_y += ys[i] / count;
     for (std::size_t i = 0; i < xs.size(); ++i) xx += std::pow(xs[i] - mean_x, 2), xy += (xs[i] - mean_x) * (ys[i] - mean_y);
     return mean_y + xy / xx * (x - mean_x);
 }

@@ -39,11 +39,12 @@ Stiffness composite() {
 }
 
 Stiffness triclinic() {
+    const auto number = [](std::size_t row, std::size_t k) { return std::sin(1.0 + 3.0 * static_cast<double>(row) + 7.0 * static_cast<double>(k)); };
     Stiffness c{};
     for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t j = 0; j < 6; ++j) {
             c[i][j] = i == j ? 60 : 0;
-            for (std::size_t k = 0; k < 6; ++k) c[i][j] += 12 * std::sin(1.0 + 3.0 * i + 7.0 * k) * std::sin(1.0 + 3.0 * j + 7.0 * k);
+            for (std::size_t k = 0; k < 6; ++k) c[i][j] += 12 * number(i, k) * number(j, k);
         }
     return c;
 }

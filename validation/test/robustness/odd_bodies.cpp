@@ -22,7 +22,7 @@ std::vector<int> shuffled_numbers(std::size_t count, std::mt19937& generator) {
 /// One of the twelve orders of a tet's vertices that keep its orientation.
 std::array<int, 4> reordered(std::array<int, 4> tet, std::mt19937& generator) {
     std::rotate(tet.begin(), tet.begin() + 1, tet.begin() + 3);  // turns three
-    for (unsigned turns = generator() % 3; turns > 0; --turns) std::rotate(tet.begin() + 1, tet.begin() + 2, tet.end());
+    for (auto turns = generator() % 3; turns > 0; --turns) std::rotate(tet.begin() + 1, tet.begin() + 2, tet.end());
     if (generator() % 2 == 0) std::swap(tet[0], tet[1]), std::swap(tet[2], tet[3]);
     if (generator() % 2 == 0) std::swap(tet[0], tet[2]), std::swap(tet[1], tet[3]);
     return tet;

@@ -16,13 +16,11 @@ public:
 
 private:
     void build(const Simulation& simulation);
-    void append(const Simulation& simulation, int piece);
+    void append(const Simulation& simulation, int piece, std::vector<std::int32_t>& connectivity);
 
     int topology_ = -1, impacts_ = -1;
     VtuGrid grid_;
     std::vector<std::vector<Eigen::Vector3d>> rest_;  ///< per piece: its points
-    std::vector<std::int32_t> connectivity_, fragment_, body_, material_, parent_;
-    std::vector<float> stress_, energy_density_;
 };
 
 }  // namespace cleave::simulation

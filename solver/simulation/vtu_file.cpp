@@ -26,6 +26,7 @@ std::string deflated(const char* data, std::size_t size) {
     if (compress2(reinterpret_cast<Bytef*>(out.data()), &length, reinterpret_cast<const Bytef*>(data), size, zlib_level) != Z_OK)
         throw std::runtime_error("zlib failed");
     out.resize(length);
+    out.shrink_to_fit();  // all blocks of an array wait for the last one
     return out;
 }
 
@@ -59,6 +60,12 @@ void compress(VtuArray& array) {
     for (const std::string& part : parts) array.compressed += part;
 }
 
+VtuArray compressed(VtuArray array) {
+    compress(array);
+    std::string().swap(array.bytes);
+    return array;
+}
+
 std::string vtu_bytes(VtuGrid& grid) {
     std::vector<VtuArray*> arrays{&grid.positions, &grid.connectivity, &grid.offsets, &grid.types};
     for (VtuArray& array : grid.cell_data) arrays.push_back(&array);
@@ -75,6 +82,7 @@ std::string vtu_bytes(VtuGrid& grid) {
     text += "      <Points>\n" + tags[0] + "      </Points>\n      <Cells>\n" + tags[1] + tags[2] + tags[3] + "      </Cells>\n      <CellData>\n";
     for (std::size_t i = 4; i < tags.size(); ++i) text += tags[i];
     text += "      </CellData>\n    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_";
+    text.reserve(text.size() + offset + 64);
     for (const VtuArray* array : arrays) text += array->compressed;
     return text + "\n  </AppendedData>\n</VTKFile>\n";
 }

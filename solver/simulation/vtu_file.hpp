@@ -12,7 +12,7 @@ struct VtuArray {
     std::string name;
     std::string type;          ///< "Float32", "Int32", "UInt8"
     int components = 1;
-    std::string bytes;         ///< little endian
+    std::string bytes;         ///< little endian; empty where only what stands in the file is kept
     std::string compressed{};  ///< what stands in the file; filled by compress(), and then reused while the values stay
 };
 
@@ -24,6 +24,9 @@ VtuArray byte_array(const std::string& name, const std::vector<std::uint8_t>& va
 /// Blocks of 1 MiB through zlib with VTK's headers of UInt64: count, block size, last block's size (0: full), compressed sizes. Blocks are
 /// compressed in parallel; the bytes do not depend on the number of threads.
 void compress(VtuArray& array);
+
+/// The array compressed and without its bytes.
+VtuArray compressed(VtuArray array);
 
 /// Tetrahedra for ParaView.
 struct VtuGrid {

@@ -82,9 +82,11 @@ std::string vtu_bytes(VtuGrid& grid) {
     text += "      <Points>\n" + tags[0] + "      </Points>\n      <Cells>\n" + tags[1] + tags[2] + tags[3] + "      </Cells>\n      <CellData>\n";
     for (std::size_t i = 4; i < tags.size(); ++i) text += tags[i];
     text += "      </CellData>\n    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_";
-    text.reserve(text.size() + offset + 64);
+    const std::string end = "\n  </AppendedData>\n</VTKFile>\n";
+    text.reserve(text.size() + offset + end.size());
     for (const VtuArray* array : arrays) text += array->compressed;
-    return text + "\n  </AppendedData>\n</VTKFile>\n";
+    text += end;
+    return text;
 }
 
 std::string pvd_text(const std::vector<PvdEntry>& entries) {

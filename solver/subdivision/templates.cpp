@@ -27,10 +27,14 @@ public:
 private:
     bool is_plus(int vertex) const { return (plus_mask_ >> vertex & 1U) != 0; }
 
+    int side_of(int vertex) const { return is_plus(vertex) ? 1 : -1; }
+
+    /// The sides are compared as numbers: from `is_plus(v) == (side > 0)`, a bit against a sign that stays the same in the loop,
+    /// g++ 12 at -O1 can lose the sign (its combined instruction "jump by bit" takes any second operand for zero).
     std::vector<int> vertices_on(int side) const {
         std::vector<int> found;
         for (int v = 0; v < 4; ++v) {
-            if (is_plus(v) == (side > 0)) found.push_back(v);
+            if (side_of(v) == side) found.push_back(v);
         }
         return found;
     }

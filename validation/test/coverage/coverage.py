@@ -11,13 +11,17 @@ import sys
 LEAST = 80  # percent of a file's lines
 
 
-def gcov(note, source):
-    """gcov's records of one object file, own sources only."""
-    words = ["gcov", "--json-format", "--stdout", "--relative-only", "--source-prefix", source, note]
-    answer = subprocess.run(words, capture_output=True, text=True, cwd=os.path.dirname(note))
+def gcov(note, source, build):
+    """gcov's records of one object file, own sources only, named from `source`. A name in a note is absolute, or from the build folder
+    where ccache has made it so."""
+    answer = subprocess.run(["gcov", "--json-format", "--stdout", note], capture_output=True, text=True, cwd=os.path.dirname(note))
+    if answer.returncode != 0:
+        sys.exit(f"coverage: {answer.stderr.strip()}")
     records = []
     for line in answer.stdout.splitlines():
-        records += json.loads(line)["files"]
+        for record in json.loads(line)["files"]:
+            record["file"] = os.path.relpath(os.path.normpath(os.path.join(build, record["file"])), source)
+            records += [record] if counted(record["file"]) else []
     return records
 
 
@@ -30,8 +34,8 @@ def read(source, build):
     lines, functions = collections.defaultdict(dict), collections.defaultdict(dict)
     notes = [os.path.join(folder, name) for folder, _, names in os.walk(build) for name in names if name.endswith(".gcno")]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for records in pool.map(lambda note: gcov(note, source), sorted(notes)):
-            for record in filter(lambda record: counted(record["file"]), records):
+        for records in pool.map(lambda note: gcov(note, source, build), sorted(notes)):
+            for record in records:
                 of_file = lines[record["file"]]
                 for line in record["lines"]:
                     of_file[line["line_number"]] = max(of_file.get(line["line_number"], 0), line["count"])

@@ -115,7 +115,7 @@ const std::vector<std::string>& symmetry_classes() {
 }
 
 std::string symmetry_class(const material::Stiffness& stiffness, double tolerance) {
-    const Matrix6d tensor = kelvin(stiffness);
+    const Matrix6d tensor = kelvin(stiffness / stiffness.cwiseAbs().maxCoeff());  // norms square: 1e160 Pa would overflow
     const double anisotropy = distance_to_isotropy(tensor);
     if (anisotropy < tolerance) return "isotropic";
     // Mirroring changes the anisotropic part only, by at most twice its size: where that is small, a fixed tolerance would accept planes that

@@ -66,7 +66,7 @@ GreenTable::GreenTable(const std::shared_ptr<const StrohTable>& table, const Eig
         if (error_ <= accuracy / 4) return;
         const double factor = 1.1 * std::pow(4 * error_ / accuracy, 0.25);  // fourth order
         if (cells_ >= finest || cells_ * factor > 4 * finest) throw std::runtime_error("displacements of a half-space that a table can hold");
-        cells_ = std::min(finest, 2 * static_cast<int>(std::ceil(cells_ / 2 * std::clamp(factor, 1.25, 4.0))));
+        cells_ = std::min(finest, 2 * static_cast<int>(std::ceil(cells_ / 2.0 * std::clamp(factor, 1.25, 4.0))));
     }
 }
 

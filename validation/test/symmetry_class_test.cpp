@@ -3,8 +3,11 @@
 #include "solver/material/material.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <map>
 
 namespace cleave::validation {
@@ -59,6 +62,27 @@ TEST(SymmetryClass, NearlyIsotropic) {
     EXPECT_EQ(symmetry_class(barely), "cubic");
     EXPECT_EQ(symmetry_class(material::rotate_stiffness(barely, turn)), "cubic");
     EXPECT_EQ(symmetry_class(cubic(165.7, 63.9, 50.95)), "isotropic");
+}
+
+TEST(SymmetryClass, AnyUnit) {
+    for (const std::string& symmetry : symmetry_classes())
+        for (const double unit : {1e-250, 1e-9, 1e9, 1e250}) EXPECT_EQ(symmetry_class(unit * form_of(symmetry)), symmetry) << unit;
+}
+
+// Eigenvectors without a symmetry: no mirror, however far the eigenvalues lie apart. At the last the softest directions weigh 1e-8 of
+// the norm, far less than the tolerance: three stiff ones are enough to tell.
+TEST(SymmetryClass, AnyCondition) {
+    std::srand(3);  // Eigen's Random
+    for (const double condition : {10.0, 1e4, 1e8}) {
+        for (int i = 0; i < 5; ++i) {
+            const Eigen::Matrix<double, 6, 6> basis = Eigen::HouseholderQR<Eigen::Matrix<double, 6, 6>>(Eigen::Matrix<double, 6, 6>::Random()).householderQ();
+            Eigen::Vector<double, 6> moduli;
+            for (int k = 0; k < 6; ++k) moduli[k] = k < 3 ? 1 + k : 3 * std::pow(condition, -(k - 2) / 3.0);
+            material::Stiffness c = basis * moduli.asDiagonal() * basis.transpose();  // Kelvin's matrix, back to Voigt's below
+            c.topRightCorner<3, 3>() /= std::sqrt(2.0), c.bottomLeftCorner<3, 3>() /= std::sqrt(2.0), c.bottomRightCorner<3, 3>() /= 2;
+            EXPECT_EQ(symmetry_class(c), "triclinic") << condition << ", " << i;
+        }
+    }
 }
 
 // The must-fail twin: a change ten times the tolerance takes a tensor out of its class.

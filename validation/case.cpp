@@ -346,7 +346,7 @@ std::vector<Case> read_cases(const std::string& file, const Overrides& overrides
         cases.push_back(read_one(reader, file, overrides.ladder));
         Case& last = cases.back();
         last.text = text + "\n" + overrides.ladder;
-        for (const auto& [key, value] : overrides.values) last.text += "\n" + key + "=" + value;
+        for (const auto& [key, value] : overrides.values) last.text.append("\n").append(key).append("=").append(value);
         for (const auto& [key, value] : assignment) {
             last.parameters[key] = value;
             last.name += fmt::format("[{}={}]", key, value);

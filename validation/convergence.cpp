@@ -52,8 +52,8 @@ std::optional<double> order_of_three(const Refinement& a, const Refinement& b, c
 std::optional<double> order_of_all(const std::vector<Refinement>& ladder) {
     constexpr double step = 0.05;
     double best = lowest_order;
-    for (double p = lowest_order; p <= highest_order; p += step)
-        if (fit_with(p, ladder).residual < fit_with(best, ladder).residual) best = p;
+    for (int k = 0; lowest_order + k * step <= highest_order; ++k)
+        if (const double p = lowest_order + k * step; fit_with(p, ladder).residual < fit_with(best, ladder).residual) best = p;
     if (best < lowest_order + step || best > highest_order - 2 * step) return std::nullopt;  // no inner minimum
     double low = best - step, high = best + step;
     const double golden = (std::sqrt(5.0) - 1) / 2;

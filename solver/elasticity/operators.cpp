@@ -20,7 +20,7 @@ struct MomentInverse {
 
 MomentInverse invert(const Eigen::Matrix3d& moment) {
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moment, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Eigen::Vector3d values = svd.singularValues();
+    const Eigen::Vector3d& values = svd.singularValues();
     Eigen::Vector3d reciprocal = Eigen::Vector3d::Zero();
     for (int k = 0; k < 3; ++k)
         if (values(k) > singular * values(0)) reciprocal(k) = 1 / values(k);

@@ -17,7 +17,7 @@ Eigen::Vector3d one_of_both(const Eigen::Vector3d& direction) {
 
 Principal largest_principal(const Eigen::Matrix3d& tensor) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor);
-    const Eigen::Vector3d values = solver.eigenvalues();  // ascending
+    const Eigen::Vector3d& values = solver.eigenvalues();  // ascending
     const double norm = tensor.norm();
     return {values(2), one_of_both(solver.eigenvectors().col(2)), norm > 0 ? (values(2) - values(1)) / norm : 0};
 }

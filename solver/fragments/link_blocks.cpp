@@ -15,13 +15,13 @@ LinkBlocks::LinkBlocks(std::span<const std::array<int, 4>> behind, const subdivi
     for (int first = 0; first < static_cast<int>(offset_.size()); first += size) {
         for (int i = 0; i < size; ++i) {
             inside.make_single(i);
-            for (const int half_face : behind[static_cast<std::size_t>(first + i)]) {
+            for (const int half_face : behind[first + i]) {
                 const int other = (half_face >> 2) - first;
                 if (half_face >= 0 && other >= 0 && other < i) inside.unite(i, other);
             }
         }
         for (int i = 0; i < size; ++i) {
-            offset_[static_cast<std::size_t>(first + i)] = static_cast<std::uint8_t>(inside.find(i));
+            offset_[first + i] = static_cast<std::uint8_t>(inside.find(i));
             if (inside.find(i) == i) parts_.push_back(first + i);
         }
         const std::size_t before = links_.size();

@@ -81,7 +81,7 @@ public:
     /// Whether none of a block's tets was subdivided or lost a link.
     bool is_untouched(int block) const {
         std::array<std::uint64_t, LinkBlocks::size / 8> states;
-        std::memcpy(states.data(), &state_[static_cast<std::size_t>(block * LinkBlocks::size)], sizeof states);
+        std::memcpy(states.data(), &state_[static_cast<std::size_t>(block) * LinkBlocks::size], sizeof states);
         return std::accumulate(states.begin(), states.end(), std::uint64_t{0}, std::bit_or<>()) == 0;
     }
 

@@ -19,9 +19,8 @@ class StreamedArray {
 public:
     /// `destination`: of the first element.
     explicit StreamedArray(Value* destination) {
-        const auto address = reinterpret_cast<std::uintptr_t>(destination);
-        skipped_ = filled_ = address % line;
-        lines_ = reinterpret_cast<std::byte*>(address - filled_);
+        skipped_ = filled_ = reinterpret_cast<std::uintptr_t>(destination) % line;
+        lines_ = reinterpret_cast<std::byte*>(destination) - filled_;
     }
     /// Where the next elements go; at most `most` of them, and less than a line over.
     Value* next() { return reinterpret_cast<Value*>(gathered_.data() + filled_); }

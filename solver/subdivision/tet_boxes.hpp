@@ -84,10 +84,8 @@ private:
 
     static void prefetch(const void* first, const void* last) {
         constexpr std::uintptr_t line = 64;
-        const auto end = reinterpret_cast<std::uintptr_t>(last);
-        for (auto at = reinterpret_cast<std::uintptr_t>(first) & ~(line - 1); at < end; at += line) {
-            __builtin_prefetch(reinterpret_cast<const void*>(at));
-        }
+        const auto* at = static_cast<const char*>(first) - reinterpret_cast<std::uintptr_t>(first) % line;
+        for (; at < static_cast<const char*>(last); at += line) __builtin_prefetch(at);
     }
 
     template <class Visit>

@@ -13,9 +13,10 @@ constexpr double pi = std::numbers::pi;
 template <class Function>
 double argmax(const Function& f, double limit) {
     const double step = pi / 180;
+    const int steps = static_cast<int>(2 * limit / step);
     double best = 0;
-    for (double x = -limit; x <= limit; x += step)
-        if (f(x) > f(best)) best = x;
+    for (int k = 0; k <= steps; ++k)
+        if (const double x = -limit + k * step; f(x) > f(best)) best = x;
     double low = best - step, high = best + step;
     constexpr double golden = 0.6180339887498949;
     while (high - low > 1e-10) {

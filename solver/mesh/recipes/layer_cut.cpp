@@ -36,7 +36,8 @@ int add_plane(const Eigen::Vector3d& normal, double distance, const Eigen::Align
     const double width = 2.2 * (box.diagonal().norm() + box.center().norm());
     const int square = occ::addRectangle(-width / 2, -width / 2, 0, width, width);
     const Eigen::AngleAxisd turn(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal));
-    const Eigen::Vector3d axis = turn.axis(), shift = distance * normal;
+    const Eigen::Vector3d& axis = turn.axis();
+    const Eigen::Vector3d shift = distance * normal;
     if (turn.angle() != 0) occ::rotate({{2, square}}, 0, 0, 0, axis[0], axis[1], axis[2], turn.angle());
     occ::translate({{2, square}}, shift[0], shift[1], shift[2]);
     return square;

@@ -65,7 +65,7 @@ TEST(Divide, DoesNotKnowTheNumbering) {
 TEST(Divide, EqualKeysAreSettledByPlace) {
     std::vector<Neighbour> ring;  // all at the same |r|
     for (int k = 0; k < 8; ++k) {
-        const Eigen::Vector3d r(1, 0, 0.1 * (k / 4));
+        const Eigen::Vector3d r(1, 0, k < 4 ? 0 : 0.1);
         ring.push_back({(Eigen::AngleAxisd(k * M_PI / 2 + 0.3, Eigen::Vector3d::UnitZ()) * r).normalized(), 1});
     }
     auto reversed = ring;

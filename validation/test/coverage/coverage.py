@@ -5,6 +5,7 @@ import collections
 import concurrent.futures
 import json
 import os
+import re
 import subprocess
 import sys
 
@@ -21,7 +22,7 @@ def gcov(note, source, build):
     for line in answer.stdout.splitlines():
         for record in json.loads(line)["files"]:
             record["file"] = os.path.relpath(os.path.normpath(os.path.join(build, record["file"])), source)
-            records += [record] if counted(record["file"]) else []
+            records += [record] if counted(record["file"]) and record["lines"] else []
     return records
 
 
@@ -41,9 +42,15 @@ def read(source, build):
                     of_file[line["line_number"]] = max(of_file.get(line["line_number"], 0), line["count"])
                 for function in record["functions"]:
                     place = (function["start_line"], function["end_line"])
-                    name = function["demangled_name"].split("(")[0].split("::")[-1]
+                    name = short(function["demangled_name"])
                     functions[record["file"]][place] = (name, max(functions[record["file"]].get(place, ("", 0))[1], function["execution_count"]))
     return lines, functions
+
+
+def short(demangled):
+    """a::(anonymous namespace)::f[abi:cxx11](int) is f, and a lambda has the name of the function around it."""
+    name = re.sub(r"\[abi:\w+\]", "", demangled.replace("(anonymous namespace)::", ""))
+    return name.split("{lambda")[0].rstrip(":").split("(")[0].split("::")[-1]
 
 
 def share(of_lines):

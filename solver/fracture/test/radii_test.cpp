@@ -42,7 +42,8 @@ TEST(InnerRadius, GrowsWithTheEnergyFromZero) {
     const double h = 0.02, limit = 200, least = 64 * std::numbers::pi * h * h * h * limit / 315;
     EXPECT_EQ(inner_radius(0.999 * least, h, limit, 1), 0);
     double last = 0;
-    for (double energy = 1.001 * least; energy < 1e4 * least; energy *= 1.5) {
+    for (int k = 0; k < 23; ++k) {  // to 1e4 of the least
+        const double energy = 1.001 * least * std::pow(1.5, k);
         const double r = inner_radius(energy, h, limit, 1);
         EXPECT_GT(r, last);
         EXPECT_LT(r, h);
@@ -57,7 +58,8 @@ TEST(InnerRadius, OfTheOuterRadiusWouldShrink) {
     const double least = 0.05;
     bool shrinks = false;
     double last = 0;
-    for (double energy = least; energy < 100 * least; energy *= 1.3) {
+    for (int k = 0; k < 18; ++k) {  // to 100 of the least
+        const double energy = least * std::pow(1.3, k);
         const double outer = proportional_radius(energy, 8, 0.1, 1, 1e9), r = inner_radius(energy, outer, 20, outer);
         shrinks |= r < last;
         last = r;

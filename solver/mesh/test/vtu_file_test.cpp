@@ -67,7 +67,7 @@ TEST(Vtu, DamagedDataIsAnInputErrorWhereverItIsCut) {
     for (const bool zlib : {false, true}) {
         for (const bool encoded : {false, true}) {
             const std::string bytes = test::stored_vtu(test::unit_tet(), {true, zlib, true, encoded});
-            const std::size_t data = bytes.find("_", bytes.find("<AppendedData"));
+            const std::size_t data = bytes.find('_', bytes.find("<AppendedData"));
             const std::size_t end = bytes.find("\n</AppendedData>");
             for (std::size_t cut = data + 1; cut < end; cut += 7) EXPECT_NE(complaint(bytes.substr(0, cut)), "") << zlib << encoded << cut;
             std::string broken = bytes;

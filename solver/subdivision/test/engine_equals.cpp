@@ -1,5 +1,7 @@
 #include "solver/subdivision/test/engine_equals.hpp"
 
+#include <bit>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -13,7 +15,7 @@ bool same_bits(const std::vector<Value>& a, const std::vector<Value>& b) {
 
 bool same_areas(const std::vector<ExtraLink>& a, const std::vector<ExtraLink>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) {
-        if (std::memcmp(&a[i].area, &b[i].area, sizeof(double)) != 0) return false;
+        if (std::bit_cast<std::uint64_t>(a[i].area) != std::bit_cast<std::uint64_t>(b[i].area)) return false;
     }
     return true;
 }

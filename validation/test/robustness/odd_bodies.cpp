@@ -58,7 +58,7 @@ mesh::TetMesh sliver_cube(int cells, double height) {
     std::vector<char> moved(mesh.vertices.size(), 0);
     for (int k = 1; k < cells; k += 2)
         for (int j = 1; j < cells; j += 2)
-            for (int i = 1; i < cells; i += 2) moved[static_cast<std::size_t>(i + side * (j + side * k))] = 1;
+            for (int i = 1; i < cells; i += 2) moved[i + side * (j + side * k)] = 1;
     for (const auto& tet : mesh.tets)
         for (std::size_t corner = 0; corner < 4; ++corner) {
             const auto vertex = static_cast<std::size_t>(tet[corner]);
